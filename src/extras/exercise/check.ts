@@ -71,7 +71,7 @@ export async function check(
   if ('fault' in reading) return reading;
   let program: Program | undefined;
   try {
-    program = new Program(reading.glsl);
+    program = new Program(reading.glsl, reading.cost);
     if (program.messages.length > 0) return { messages: program.messages };
     return await verdictOf(program, task, picture);
   } catch (error) {

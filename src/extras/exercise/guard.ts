@@ -1,6 +1,7 @@
 // Reads a learner's GLSL before anything is compiled: whether `shade` is there, and whether a
-// driver can be trusted with it. A frame that runs cannot be stopped, so each loop has to have
-// bounds that can be read, and what all of them do together has a limit.
+// driver can be trusted with it. Neither a compiler nor a frame that runs can be stopped, so each
+// loop has to have bounds that can be read, and the code and what it does have limits. Macros and
+// constants are put in first: what is read here is what the driver gets.
 
 /** What keeps a function from being run. `text` is a key of the page's texts. */
 export interface Fault {
@@ -29,20 +30,42 @@ const MOST_CHARACTERS = 20_000;
 /** Of loops inside each other. */
 const MOST_TURNS = 10_000;
 
-/** Turns and calls together; one pixel takes about a millisecond in software. */
-const MOST_COST = 100_000;
+/** Tokens of all code, with a copy of a function for each call: compilers put them in. */
+const MOST_CODE = 20_000;
 
-const MOST_ELEMENTS = 1024;
+/** Tokens that one call of `shade` runs; one pixel takes some milliseconds in software. */
+const MOST_COST = 2_000_000;
+
+const MOST_ELEMENTS = 64;
+
+/** Macros in the arguments of macros. */
+const MOST_DEPTH = 100;
+
+/** Words of the code that a matrix stands for. */
+const MATRIX = 16;
 
 interface Token {
   readonly text: string;
   readonly line: number;
 }
 
-/** A function of the learner's, or a macro, which counts as one. */
+/** A function of the learner's, or a struct. */
 interface Body {
   readonly tokens: readonly Token[];
   readonly line: number;
+}
+
+interface Macro {
+  /** Null for one that is a constant. */
+  readonly parameters: readonly string[] | null;
+  readonly tokens: readonly Token[];
+}
+
+/** What code needs: turns of loops inside each other, tokens that run, and tokens to compile. */
+interface Needs {
+  readonly turns: number;
+  readonly cost: number;
+  readonly code: number;
 }
 
 class Refused extends Error {
@@ -54,17 +77,22 @@ class Refused extends Error {
   }
 }
 
-/** The text without its comments, each line in its place, or what is wrong with it. */
-export function checked(source: string): { readonly glsl: string } | { readonly fault: Fault } {
+/**
+ * The text without comments and macros, each line in its place, and how many tokens one call of
+ * `shade` runs; or what is wrong with it.
+ */
+export function checked(
+  source: string,
+): { readonly glsl: string; readonly cost: number } | { readonly fault: Fault } {
   try {
     if (source.length > MOST_CHARACTERS) {
       throw new Refused('The text is too long: at most {most} characters.', null, {
         most: String(MOST_CHARACTERS),
       });
     }
-    const glsl = withoutComments(source.replace(/\r\n?/g, '\n'));
-    new Reading(glsl).check();
-    return { glsl };
+    const bare = withoutComments(source.replace(/\r\n?/g, '\n'));
+    const tokens = withConstants(withoutMacros(bare));
+    return { glsl: textOf(tokens), cost: new Reading(tokens).cost() };
   } catch (error) {
     if (error instanceof Refused) return { fault: error.fault };
     throw error;
@@ -88,10 +116,18 @@ function withoutComments(source: string): string {
 }
 
 const TOKEN =
-  /[A-Za-z_]\w*|0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|[-+*/%&|^<>=!]=|\+\+|--|\S/g;
+  /[A-Za-z_]\w*|0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|[-+*/%&|^<>=!]=|\+\+|--|<<|>>|&&|\|\||\^\^|\S/g;
 
 const tokensOf = (text: string, line: number): Token[] =>
   Array.from(text.match(TOKEN) ?? [], (token) => ({ text: token, line }));
+
+function textOf(tokens: readonly Token[]): string {
+  const lines: string[] = [];
+  for (const { text, line } of tokens) {
+    lines[line - 1] = `${lines[line - 1] ?? ''} ${text}`;
+  }
+  return Array.from(lines, (line = '') => line).join('\n');
+}
 
 const isName = (text: string | undefined): boolean => text !== undefined && /^[A-Za-z_]/.test(text);
 
@@ -99,36 +135,114 @@ const LOOP =
   'A loop must be a for with numbers as bounds, and leave its variable alone, so that it ends.';
 const DEFINE =
   'Of the lines that begin with # only #define is allowed, without a loop or a block in it.';
+const TOO_MUCH = 'The function does too much: loops and calls are limited.';
+const UNMATCHED = 'Braces or brackets do not match.';
+
+function withoutMacros(glsl: string): Token[] {
+  const macros = new Map<string, Macro>();
+  const tokens: Token[] = [];
+  for (const [i, line] of glsl.split('\n').entries()) {
+    if (!line.includes('#')) {
+      tokens.push(...tokensOf(line, i + 1));
+      continue;
+    }
+    const [, name, list, rest = ''] =
+      /^\s*#\s*define\s+([A-Za-z_]\w*)(\([^)]*\))?(.*)$/.exec(line) ?? [];
+    const body = tokensOf(rest, i + 1);
+    const isPlain = !body.some(({ text }) => /^(for|while|do|[{};#]|main|shade)$/.test(text));
+    if (name === undefined || macros.has(name) || !isPlain) throw new Refused(DEFINE, i + 1);
+    const parameters = list === undefined ? null : (list.match(/\w+/g) ?? []);
+    macros.set(name, { parameters, tokens: body });
+  }
+  return expanded(tokens, macros, []);
+}
+
+/** As a preprocessor does it: a macro is not put into itself. */
+function expanded(
+  tokens: readonly Token[],
+  macros: ReadonlyMap<string, Macro>,
+  inside: readonly string[],
+): Token[] {
+  const out: Token[] = [];
+  for (let i = 0; i < tokens.length; i++) {
+    const { text, line } = tokens[i]!;
+    const macro = inside.includes(text) ? undefined : macros.get(text);
+    if (macro === undefined || (macro.parameters !== null && tokens[i + 1]?.text !== '(')) {
+      out.push(tokens[i]!);
+    } else {
+      if (inside.length > MOST_DEPTH) throw new Refused(TOO_MUCH, line);
+      let given: readonly Token[][] = [];
+      if (macro.parameters !== null) {
+        const end = closing(tokens, i + 1);
+        // An empty name: arguments inside each other count for the depth.
+        given = listed(tokens.slice(i + 2, end)).map((part) =>
+          expanded(part, macros, [...inside, '']),
+        );
+        i = end;
+      }
+      const body = macro.tokens.flatMap((token): readonly Token[] => {
+        const k = macro.parameters?.indexOf(token.text) ?? -1;
+        return k < 0 ? [token] : (given[k] ?? []);
+      });
+      const placed = body.map((token) => ({ text: token.text, line }));
+      out.push(...expanded(placed, macros, [...inside, text]));
+    }
+    if (out.length > MOST_CODE) throw new Refused(TOO_MUCH, line);
+  }
+  return out;
+}
+
+/** The parts between commas that no brackets hold. */
+function listed(tokens: readonly Token[]): Token[][] {
+  const parts: Token[][] = [[]];
+  let depth = 0;
+  for (const token of tokens) {
+    depth += depthOf(token.text);
+    if (token.text === ',' && depth === 0) {
+      parts.push([]);
+    } else {
+      parts.at(-1)!.push(token);
+    }
+  }
+  return parts;
+}
+
+/** Constants in place of their names, but for a name that is declared twice. */
+function withConstants(tokens: readonly Token[]): Token[] {
+  const isDeclared = (i: number): boolean =>
+    isName(tokens[i]!.text) && isName(tokens[i - 1]?.text) && tokens[i - 1]!.text !== 'return';
+  const values = new Map<string, string | null>();
+  for (const i of tokens.keys()) {
+    if (!isDeclared(i)) continue;
+    const name = tokens[i]!.text;
+    const [equals = '', value = '', end = ''] = tokens.slice(i + 1, i + 4).map(({ text }) => text);
+    const isConstant =
+      tokens[i - 2]?.text === 'const' && equals === '=' && end === ';' && /^[\d.]/.test(value);
+    values.set(name, isConstant && !values.has(name) ? value : null);
+  }
+  return tokens.map((token, i) => {
+    const value = tokens[i - 1]?.text === '.' || isDeclared(i) ? null : values.get(token.text);
+    return { ...token, text: value ?? token.text };
+  });
+}
 
 /** Built-in functions that write to an argument. */
 const WRITERS = /^(out|inout|modf|frexp|\w+(Carry|Borrow|Extended))$/;
 
-const OPEN: Readonly<Record<string, string>> = { '(': ')', '[': ']', '{': '}' };
-
 class Reading {
-  readonly #tokens: Token[] = [];
+  readonly #tokens: readonly Token[];
   readonly #bodies = new Map<string, Body[]>();
-  /** Each with its parameters. */
-  readonly #macros = new Map<string, ReadonlySet<string>>();
-  /** Numbers by name: constants that nothing else is called like. */
-  readonly #numbers = new Map<string, number>();
-  /** The partner of each brace and bracket, by index. */
-  readonly #partner: number[] = [];
-  readonly #costs = new Map<string, { turns: number; cost: number } | null>();
+  readonly #needs = new Map<string, Needs | null>();
+  /** Tokens that one stands for. */
+  readonly #weight: number;
 
-  constructor(glsl: string) {
-    for (const [i, line] of glsl.split('\n').entries()) {
-      if (line.includes('#')) {
-        this.#readDefine(line, i + 1);
-      } else {
-        this.#tokens.push(...tokensOf(line, i + 1));
-      }
-    }
+  constructor(tokens: readonly Token[]) {
+    this.#tokens = tokens;
+    this.#weight = tokens.some(({ text }) => /^mat\d/.test(text)) ? MATRIX : 1;
   }
 
-  check(): void {
+  cost(): number {
     this.#match();
-    this.#readConstants();
     const shades = this.#readFunctions();
     if (!this.#bodies.has('shade')) {
       throw new Refused(
@@ -140,7 +254,7 @@ class Reading {
       if (/^(main|Light|Material)$/.test(name)) {
         throw new Refused('Leave out {name}: it is there already.', body!.line, { name });
       }
-      this.#costOf(name);
+      this.#needsOf(name);
     }
     if (!shades.includes('Light Material vec3 vec3 vec3')) {
       throw new Refused(
@@ -148,167 +262,83 @@ class Reading {
         this.#bodies.get('shade')![0]!.line,
       );
     }
-  }
-
-  #readDefine(line: string, number: number): void {
-    const [, name, rest = ''] = /^\s*#\s*define\s+([A-Za-z_]\w*)(.*)$/.exec(line) ?? [];
-    const tokens = tokensOf(rest, number);
-    if (
-      name === undefined ||
-      tokens.some(({ text }) => /^(for|while|do|[{};#]|main|shade)$/.test(text))
-    ) {
-      throw new Refused(DEFINE, number);
-    }
-    if (name === 'shade' || this.#macros.has(name)) throw new Refused(DEFINE, number);
-    const [list = ''] = /^\([^)]*\)/.exec(rest) ?? [];
-    this.#macros.set(name, new Set(list.match(/\w+/g)));
-    this.#bodies.set(name, [{ tokens: tokens.slice(tokensOf(list, 0).length), line: number }]);
-    const value = rest.trim().replace(/^\((.*)\)$/, '$1');
-    if (/^-?[\d.]/.test(value) && tokensOf(value.replace('-', ''), 0).length === 1) {
-      this.#numbers.set(name, parseFloat(value));
-    }
+    return this.#needsOf('shade').cost;
   }
 
   #match(): void {
-    const open: number[] = [];
+    const open: Token[] = [];
     for (const [i, { text, line }] of this.#tokens.entries()) {
-      if (text in OPEN) {
-        open.push(i);
-      } else if (/[)\]}]/.test(text)) {
-        const last = open.pop();
-        if (last === undefined || OPEN[this.#tokens[last]!.text] !== text) {
-          throw new Refused('Braces or brackets do not match.', line);
-        }
-        this.#partner[last] = i;
-        this.#partner[i] = last;
+      if (depthOf(text) > 0) {
+        open.push(this.#tokens[i]!);
+      } else if (depthOf(text) < 0 && !/^(\(\)|\[\]|\{\})$/.test(`${open.pop()?.text}${text}`)) {
+        throw new Refused(UNMATCHED, line);
       }
+      const size = text === '[' ? numberIn(this.#tokens.slice(i + 1, closing(this.#tokens, i))) : 0;
+      if (size !== null && size > MOST_ELEMENTS) throw new Refused(TOO_MUCH, line);
     }
-    if (open.length > 0) {
-      throw new Refused('Braces or brackets do not match.', this.#tokens[open.at(-1)!]!.line);
-    }
-  }
-
-  #readConstants(): void {
-    const named = new Map<string, number>();
-    for (const [i, { text, line }] of this.#tokens.entries()) {
-      if (isName(text) && isName(this.#text(i - 1)) && this.#text(i - 1) !== 'return') {
-        named.set(text, (named.get(text) ?? 0) + 1);
-        if (this.#text(i - 2) === 'const' && this.#text(i + 1) === '=') {
-          const value = this.#number(i + 2, 1);
-          if (value !== null && this.#text(i + 3) === ';') {
-            this.#numbers.set(text, value);
-          }
-        }
-      }
-      const size = text === '[' && this.#partner[i] === i + 2 ? this.#number(i + 1, 1) : null;
-      if (size !== null && size > MOST_ELEMENTS) {
-        throw new Refused('The function does too much: loops and calls are limited.', line);
-      }
-    }
-    for (const [name, count] of named) {
-      if (count > 1 || this.#macros.has(name)) {
-        this.#numbers.delete(name);
-      }
-    }
+    if (open.length > 0) throw new Refused(UNMATCHED, open.at(-1)!.line);
   }
 
   /** Fills the bodies. Returns the types of the parameters of each `vec3 shade`. */
   #readFunctions(): string[] {
+    const tokens = this.#tokens;
     const shades: string[] = [];
-    for (let i = 0; i < this.#tokens.length; i++) {
-      const { text, line } = this.#tokens[i]!;
-      if (text === '(' && this.#text(this.#partner[i]! + 1) !== '{') {
-        i = this.#partner[i]!;
+    for (let i = 0; i < tokens.length; i++) {
+      const { text, line } = tokens[i]!;
+      if (text !== '(' && text !== '{') continue;
+      const close = closing(tokens, i);
+      const isFunction = text === '(' && tokens[close + 1]?.text === '{';
+      const [type = '', name = ''] = tokens.slice(Math.max(i - 2, 0), i).map((word) => word.text);
+      if (text === '(' && !isFunction) {
+        i = close;
+        continue;
       }
-      if (text !== '{') continue;
-      const end = this.#partner[i]!;
-      const isFunction = this.#text(i - 1) === ')';
-      const at = isFunction ? this.#partner[i - 1]! - 1 : i - 1;
-      const name = this.#text(at) ?? '';
-      if (!isName(name) || (!isFunction && this.#text(i - 2) !== 'struct')) {
-        throw new Refused('Braces or brackets do not match.', line);
-      }
-      if (this.#macros.has(name)) throw new Refused(DEFINE, line);
-      const body = { tokens: this.#tokens.slice(i + 1, end), line };
+      if (!isName(name) || (!isFunction && type !== 'struct')) throw new Refused(UNMATCHED, line);
+      const start = isFunction ? close + 1 : i;
+      const end = closing(tokens, start);
+      const body = { tokens: tokens.slice(start + 1, end), line };
       this.#bodies.set(name, [...(this.#bodies.get(name) ?? []), body]);
-      if (name === 'shade' && this.#text(at - 1) === 'vec3') {
-        shades.push(this.#typesBetween(at + 1, i - 1));
+      if (name === 'shade' && type === 'vec3') {
+        shades.push(typesIn(tokens.slice(i + 1, close)));
       }
       i = end;
     }
     return shades;
   }
 
-  #typesBetween(open: number, close: number): string {
-    const words = this.#tokens.slice(open + 1, close).map(({ text }) => text);
-    return words
-      .filter((word) => !/^(in|const|highp|mediump|lowp)$/.test(word))
-      .join(' ')
-      .split(' , ')
-      .map((parameter) => parameter.replace(/ \w+$/, ''))
-      .join(' ');
-  }
-
-  #text(i: number): string | undefined {
-    return this.#tokens[i]?.text;
-  }
-
-  /** The number that `length` tokens from `i` on are; null where they are none. */
-  #number(i: number, length: number, tokens: readonly Token[] = this.#tokens): number | null {
-    const words = tokens.slice(i, i + length).map(({ text }) => text);
-    const sign = words[0] === '-' ? -1 : 1;
-    const [word = '', ...rest] = sign < 0 ? words.slice(1) : words;
-    if (rest.length > 0) return null;
-    const known = this.#numbers.get(word);
-    if (known !== undefined) return sign * known;
-    // Octal numbers look like decimal ones.
-    if (!/^[\d.]/.test(word) || /^0\d/.test(word)) return null;
-    return sign * (/^0x/i.test(word) ? parseInt(word) : parseFloat(word));
-  }
-
-  /** Most turns of loops inside each other, calls included, and all that a call does. */
-  #costOf(name: string): { turns: number; cost: number } {
-    const known = this.#costs.get(name);
+  #needsOf(name: string): Needs {
+    const known = this.#needs.get(name);
     const bodies = this.#bodies.get(name)!;
     if (known === null) {
       throw new Refused(
         'A function calls itself: {name}. GLSL has no recursion.',
         bodies[0]!.line,
-        {
-          name,
-        },
+        { name },
       );
     }
     if (known !== undefined) return known;
-    this.#costs.set(name, null);
-    const all = { turns: 1, cost: 1 };
-    for (const { tokens } of bodies) {
-      const { turns, cost } = this.#costIn(tokens);
-      all.turns = Math.max(all.turns, turns);
-      all.cost += cost;
-    }
-    this.#costs.set(name, all);
-    return all;
+    this.#needs.set(name, null);
+    const needs = this.#needsIn(bodies.flatMap(({ tokens }) => tokens));
+    this.#needs.set(name, needs);
+    return needs;
   }
 
-  #costIn(tokens: readonly Token[]): { turns: number; cost: number } {
-    const all = { turns: 1, cost: 0 };
-    const plus = (
-      { turns, cost }: { turns: number; cost: number },
-      line: number,
-      times = 1,
-      copies = 1,
-    ) => {
-      all.turns = Math.max(all.turns, times * turns);
-      all.cost += times * copies * (1 + cost);
-      if (all.turns > MOST_TURNS) {
+  #needsIn(tokens: readonly Token[]): Needs {
+    let turns = 1;
+    let cost = 0;
+    let code = 0;
+    const plus = (needs: Needs, line: number, times = 1): void => {
+      turns = Math.max(turns, times * needs.turns);
+      cost += times * needs.cost;
+      code += needs.code;
+      if (turns > MOST_TURNS) {
         const most = MOST_TURNS.toLocaleString('en');
         throw new Refused('Loops inside each other may run {most} times at most.', line, { most });
       }
-      if (all.cost > MOST_COST) {
-        throw new Refused('The function does too much: loops and calls are limited.', line);
-      }
+      if (cost > MOST_COST || code > MOST_CODE) throw new Refused(TOO_MUCH, line);
     };
+    const own = this.#weight * tokens.length;
+    plus({ turns: 1, cost: own, code: own }, tokens[0]?.line ?? 1);
     for (let i = 0; i < tokens.length; i++) {
       const { text, line } = tokens[i]!;
       if (text === 'while' || text === 'do') throw new Refused(LOOP, line);
@@ -318,32 +348,13 @@ class Reading {
         const body = tokens.slice(close + 1, end + 1);
         const times = this.#turns(tokens.slice(i + 2, close), body);
         if (times === null) throw new Refused(LOOP, line);
-        plus(this.#costIn(body), line, Math.max(times, 1));
+        plus(this.#needsIn(body), line, Math.max(times, 1));
         i = end;
       } else if (this.#bodies.has(text) && tokens[i - 1]?.text !== '.') {
-        plus(this.#costOf(text), line);
-        if (!this.#macros.has(text)) continue;
-        // A macro repeats what it is given, and macros in it do so again.
-        const copies = this.#copiesOf(text);
-        const isCall = tokens[i + 1]?.text === '(';
-        if (!isCall && copies > 1) throw new Refused(DEFINE, line);
-        if (isCall) {
-          const end = closing(tokens, i + 1);
-          plus(this.#costIn(tokens.slice(i + 2, end)), line, 1, copies);
-          i = end;
-        }
+        plus(this.#needsOf(text), line);
       }
     }
-    return all;
-  }
-
-  /** Most copies that a macro makes of what it is given; it is no part of itself. */
-  #copiesOf(name: string): number {
-    const parameters = this.#macros.get(name);
-    if (parameters === undefined) return 1;
-    const words = this.#bodies.get(name)![0]!.tokens.map(({ text }) => text);
-    const own = words.filter((word) => parameters.has(word)).length;
-    return words.reduce((copies, word) => copies * this.#copiesOf(word), Math.max(own, 1));
+    return { turns, cost, code };
   }
 
   /** How often a loop runs; null where that cannot be read from its head. */
@@ -353,10 +364,10 @@ class Reading {
     const second = words.indexOf(';', first + 1);
     const [type, name, equals] = words;
     if (!/^(int|uint|float)$/.test(type ?? '') || equals !== '=' || !isName(name)) return null;
-    const from = this.#number(3, first - 3, head);
+    const from = numberIn(head.slice(3, first));
     const [variable, comparison = ''] = words.slice(first + 1);
-    const to = this.#number(first + 3, second - first - 3, head);
-    const step = this.#step(head.slice(second + 1), name!);
+    const to = numberIn(head.slice(first + 3, second));
+    const step = stepIn(head.slice(second + 1), name!);
     if (from === null || to === null || step === null || variable !== name) return null;
     if (this.#isWritten(name!, body)) return null;
     const isUp = step > 0;
@@ -368,53 +379,76 @@ class Reading {
     return Math.max(Math.ceil((to - from) / step) + (comparison.endsWith('=') ? 1 : 0), 0);
   }
 
-  #step(tokens: readonly Token[], name: string): number | null {
-    const words = tokens.map(({ text }) => text);
-    const by = this.#number(2, words.length - 2, tokens);
-    if (words.length === 2) {
-      const sign = words.find((word) => word !== name);
-      const isStep = words.includes(name) && (sign === '++' || sign === '--');
-      return isStep ? (sign === '++' ? 1 : -1) : null;
-    }
-    if (words[0] !== name || by === null || !/^[+-]=$/.test(words[1] ?? '')) return null;
-    return words[1] === '+=' ? by : -by;
-  }
-
-  /** Whether the loop's variable may change in the body, macros included. */
+  /** Whether the loop's variable may change in the body. */
   #isWritten(name: string, body: readonly Token[]): boolean {
     const writers = this.#tokens.some(({ text }) => WRITERS.test(text));
-    const inMacro = [...this.#macros.keys()].some((macro) =>
-      this.#bodies
-        .get(macro)!
-        .some(({ tokens }) =>
-          tokens.some(({ text }) => text === name || /^(\+\+|--|.*[^<>=!]=|=|<<=|>>=)$/.test(text)),
-        ),
-    );
-    if (inMacro || this.#macros.has(name)) return true;
     return body.some(({ text }, i) => {
       if (text !== name) return false;
-      const before = body[i - 1]?.text ?? '';
-      const after = body[i + 1]?.text ?? '';
-      const isArgument = /^[(,]$/.test(before) && /^[),]$/.test(after);
+      let [from, to] = [i - 1, i + 1];
+      while (body[from]?.text === '(' && body[to]?.text === ')') {
+        if (writers) return true;
+        from -= 1;
+        to += 1;
+      }
+      const before = body[from]?.text ?? '';
+      const after = body[to]?.text ?? '';
       return (
         /^(\+\+|--)$/.test(before) ||
         /^(\+\+|--|=|[-+*/%&|^]=|<<=|>>=)$/.test(after) ||
-        (writers && isArgument)
+        (writers && /^[(,]$/.test(before) && /^[),]$/.test(after))
       );
     });
   }
 }
 
+function typesIn(parameters: readonly Token[]): string {
+  const words = parameters.filter(({ text }) => !/^(in|const|highp|mediump|lowp)$/.test(text));
+  return listed(words)
+    .map((part) =>
+      part
+        .slice(0, -1)
+        .map(({ text }) => text)
+        .join(' '),
+    )
+    .join(' ');
+}
+
+/** The number that the tokens are; null where they are none. */
+function numberIn(tokens: readonly Token[]): number | null {
+  const words = tokens.map(({ text }) => text);
+  while (words[0] === '(' && words.at(-1) === ')') {
+    words.pop();
+    words.shift();
+  }
+  const sign = words[0] === '-' ? -1 : 1;
+  const [word = '', ...rest] = sign < 0 ? words.slice(1) : words;
+  // Octal numbers look like decimal ones.
+  if (rest.length > 0 || !/^[\d.]/.test(word) || /^0\d/.test(word)) return null;
+  return sign * (/^0x/i.test(word) ? parseInt(word) : parseFloat(word));
+}
+
+function stepIn(tokens: readonly Token[], name: string): number | null {
+  const words = tokens.map(({ text }) => text);
+  if (words.length === 2) {
+    const sign = words.find((word) => word !== name);
+    const isStep = words.includes(name) && (sign === '++' || sign === '--');
+    return isStep ? (sign === '++' ? 1 : -1) : null;
+  }
+  const by = numberIn(tokens.slice(2));
+  if (words[0] !== name || by === null || !/^[+-]=$/.test(words[1] ?? '')) return null;
+  return words[1] === '+=' ? by : -by;
+}
+
+/** What a bracket adds to the depth. */
+const depthOf = (text: string): number =>
+  /^[([{]$/.test(text) ? 1 : /^[)\]}]$/.test(text) ? -1 : 0;
+
 /** The index of the bracket that closes the one at `open`. */
 function closing(tokens: readonly Token[], open: number): number {
   let depth = 0;
   for (let i = open; i < tokens.length; i++) {
-    const { text } = tokens[i]!;
-    if (text in OPEN) {
-      depth++;
-    } else if (/^[)\]}]$/.test(text) && --depth === 0) {
-      return i;
-    }
+    depth += depthOf(tokens[i]!.text);
+    if (depth <= 0) return i;
   }
   return tokens.length - 1;
 }

@@ -1,6 +1,7 @@
 // Runs a learner's function on points, in a WebGL 2 context of its own: whatever it does, it can
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
+import { clamp } from '../../phong/math/vector.js';
 import type { Lamp } from '../../phong/mistakes/sheet.js';
 import type { Case } from '../../phong/mistakes/judge.js';
 
@@ -84,15 +85,17 @@ export interface Message {
   readonly text: string;
 }
 
-/** Side of a tile: a frame that runs cannot be stopped, so frames are small. */
+/** Side of the largest tile: a frame that runs cannot be stopped, so frames are small. */
 const TILE = 64;
+
+/** Words of code that a tile runs at most: half a second in software. */
+const MOST_WORDS = 5e7;
 
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
 
-/** Side of a sample of a tile, and its milliseconds: in software a tile then takes PATIENCE. */
+/** Side of a sample of a tile. */
 const SAMPLE = 8;
-const MOST_SAMPLE = PATIENCE * (SAMPLE / TILE) ** 2;
 
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
@@ -106,10 +109,12 @@ export class Program {
   readonly #gl: WebGL2RenderingContext;
   readonly messages: readonly Message[];
   readonly #pixels: WebGLBuffer | null;
+  readonly #tile: number;
   #drawn = 0;
 
-  /** Throws NoContextError where there is no WebGL 2. */
-  constructor(glsl: string) {
+  /** `cost`: words that one call runs. Throws NoContextError where there is no WebGL 2. */
+  constructor(glsl: string, cost: number) {
+    this.#tile = clamp(Math.floor(Math.sqrt(MOST_WORDS / cost)), 4, TILE);
     const gl = document
       .createElement('canvas')
       .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
@@ -142,12 +147,13 @@ export class Program {
     // Drivers finish a program in its first frame: one pixel, which does not count.
     await this.#draw(0, 0, 1, 1);
     if (await this.#isSlow()) return { colors, done };
-    for (let y = 0; y < height; y += TILE) {
-      for (let x = 0; x < width; x += TILE) {
+    const tile = this.#tile;
+    for (let y = 0; y < height; y += tile) {
+      for (let x = 0; x < width; x += tile) {
         if (this.#drawn > PATIENCE) return { colors, done };
         const start = performance.now();
-        const w = Math.min(TILE, width - x);
-        const bits = await this.#draw(x, y, w, Math.min(TILE, height - y));
+        const w = Math.min(tile, width - x);
+        const bits = await this.#draw(x, y, w, Math.min(tile, height - y));
         this.#drawn += performance.now() - start;
         const floats = new Float32Array(bits.buffer);
         for (let i = 0; i < bits.length / 4; i++) {
@@ -177,13 +183,21 @@ export class Program {
       await this.#draw(0, 0, side, side);
       return performance.now() - start;
     };
+    const sample = Math.min(SAMPLE, this.#tile);
+    // With this a tile takes PATIENCE.
+    const most = PATIENCE * (sample / this.#tile) ** 2;
     let took = 0;
     // One pixel tells what a frame takes without them. Now and then a machine is busy.
     for (let i = 0; i < 5; i++) {
-      took = (await timed(SAMPLE)) - (await timed(1));
-      if (took < MOST_SAMPLE || took > PATIENCE / 4) break;
+      const one = await timed(1);
+      took = one;
+      // Four times the pixels at a time: of code that copies much, words do not tell what it takes.
+      for (let side = 2; side <= sample && took < PATIENCE / 8; side *= 2) {
+        took = (await timed(side)) - one;
+      }
+      if (took < most || took > PATIENCE / 4) break;
     }
-    return took >= MOST_SAMPLE;
+    return took >= most;
   }
 
   /** The page goes on while the GPU draws. */

@@ -435,9 +435,45 @@ ${HEAD} return vec3(f30()); }`,
     `#define D(x) ((x)+(x))\n${HEAD} return ${'D('.repeat(24)}p${')'.repeat(24)}; }`,
     'The function does too much',
   ],
-  'a macro that is given to a macro': [
-    `#define D(x) ((x)+(x))\n#define C(f, x) f(f(f(x)))\n${HEAD} return C(D, p); }`,
-    'only #define is allowed',
+  'a hexadecimal bound': [
+    `#define N 0x7fffffff\n${HEAD} for (int i = 0; i < N; i++) {} return p; }`,
+    'A loop must be a for',
+  ],
+  'a constant that a list hides': [
+    `const int N = 10; ${HEAD} int m0 = 0, N = 2000000000; for (int i = 0; i < N; i++) {} return p; }`,
+    'Line 1: ',
+  ],
+  'a constant that a macro hides': [
+    `#define F(a) a\nconst int N = 10; ${HEAD} F(int) N = 2000000000; for (int i = 0; i < N; i++) {} return p; }`,
+    'A loop must be a for',
+  ],
+  'a counter in parentheses': [
+    `${HEAD} for (int i = 0; i < 9; i++) { (i) = 0; } return p; }`,
+    'A loop must be a for',
+  ],
+  'a counter and an operator that a macro joins': [
+    `#define JOIN(x, y) x y\n${HEAD} for (int i = 0; i < 9; i++) { JOIN(i, = 0); } return p; }`,
+    'A loop must be a for',
+  ],
+  'an else in a macro': [
+    `#define OTHER else\n${HEAD} for (int i = 0; i < 9; i++) if (p.x < 9.0) p.x += 1.0; OTHER i = 0; return p; }`,
+    'A loop must be a for',
+  ],
+  'a type that a macro takes away': [
+    `#define uint\nint i = 0; void f() { i = 0; } ${HEAD} for (uint i = 0; i < 9; i++) { f(); } return p; }`,
+    'A loop must be a for',
+  ],
+  'a long macro in many places': [
+    `#define A ${'sin(p.x)+'.repeat(900)}0.0\n${HEAD} return vec3(${'A+'.repeat(900)}0.0); }`,
+    'The function does too much',
+  ],
+  'a long function that is called often': [
+    `float f(float x) { ${'x=sin(x);'.repeat(900)} return x; } ${HEAD} float x = p.x; ${'x=f(x);'.repeat(400)} return vec3(x); }`,
+    'The function does too much',
+  ],
+  'matrices by the hundred': [
+    `${HEAD} mat4 a = mat4(p.x); ${'a=a*a;'.repeat(1500)} return a[0].xyz; }`,
+    'The function does too much',
   ],
   'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],
   'too long': [`${RIGHT}\n${'//'.padEnd(25_000, 'x')}`, 'The text is too long'],

@@ -53,14 +53,26 @@ it('lets through a macro in what the same macro is given', () => {
   expect(checked(source)).toHaveProperty('glsl');
 });
 
-it('keeps each line in its place, without comments', () => {
-  const reading = checked(`// one\n/* two\nthree */ float x = 1.0;\n${RIGHT}`);
-  expect('glsl' in reading ? reading.glsl.split('\n').slice(0, 4) : []).toEqual([
-    ' ',
-    ' ',
-    ' float x = 1.0;',
-    HEAD,
+it('keeps each line in its place, with macros and constants put in', () => {
+  const reading = checked(
+    `// one\n/* two\nthree */ const int N = 3;\n#define TWICE(x) (2.0 * (x))\n${HEAD}\nfloat y = TWICE(\np.x);\nreturn vec3(y * float(N)); }`,
+  );
+  expect('glsl' in reading ? reading.glsl.split('\n').map((line) => line.trim()) : []).toEqual([
+    '',
+    '',
+    'const int N = 3 ;',
+    '',
+    'vec3 shade ( Light light , Material m , vec3 p , vec3 normal , vec3 eye ) {',
+    'float y = ( 2.0 * ( p . x ) )',
+    ';',
+    'return vec3 ( y * float ( 3 ) ) ; }',
   ]);
+});
+
+it('lets through a macro that is given to a macro', () => {
+  const source = `#define D(x) ((x)+(x))\n#define C(f, x) f(f(f(x)))\n${HEAD} return C(D, p); }`;
+  const reading = checked(source);
+  expect('glsl' in reading && reading.glsl.match(/\bp\b/g)).toHaveLength(9);
 });
 
 it('names the line of a fault', () => {
