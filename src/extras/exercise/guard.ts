@@ -122,7 +122,7 @@ const tokensOf = (text: string, line: number): Token[] =>
   Array.from(text.match(TOKEN) ?? [], (token) => ({ text: token, line }));
 
 function textOf(tokens: readonly Token[]): string {
-  const lines: string[] = [];
+  const lines: (string | undefined)[] = [];
   for (const { text, line } of tokens) {
     lines[line - 1] = `${lines[line - 1] ?? ''} ${text}`;
   }
