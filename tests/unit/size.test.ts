@@ -51,7 +51,7 @@ it.each([
   ['src/extras/frameworks', 1_090],
   ['src/extras/exercise', 14_900],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 517_200],
+  ['tests', 517_600],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);
