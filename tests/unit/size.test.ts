@@ -41,7 +41,7 @@ it.each([
   ['src/extras/overlay', 30_790],
   ['src/extras/probe', 12_450],
   ['src/extras/panel', 19_640],
-  ['src/extras/still', 24_850],
+  ['src/extras/still', 24_880],
   ['src/extras/png', 2_080],
   ['src/extras/lazy', 870],
   ['src/extras/explain', 9_840],

@@ -25,7 +25,7 @@ const MOST_DEEP = 16;
  * `boxes`: four numbers of each thing, see {@link Box}. @throws RangeError if too many are one before
  * the other.
  */
-export function pixelLists(boxes: readonly number[], { width, height }: Screen): PixelLists {
+export function pixelLists(boxes: ArrayLike<number>, { width, height }: Screen): PixelLists {
   const starts = new Int32Array(width * height + 1);
   let entries = 0;
   for (let i = 0; i < boxes.length; i += 4) {

@@ -34,8 +34,9 @@ export class Triangles {
   /** {@link STRIDE} numbers of each triangle. */
   #volumes = new Float64Array();
   /** Index of each triangle's object in `#placed`, and of the triangle in it. */
-  readonly #owners: number[] = [];
-  readonly #indices: number[] = [];
+  #owners = new Int32Array();
+  #indices = new Int32Array();
+  #count = 0;
   #lists: PixelLists = { starts: new Int32Array(), things: new Int32Array() };
 
   constructor(screen: Screen) {
@@ -51,11 +52,13 @@ export class Triangles {
 
   /** Makes the pixels' lists; after the last {@link add}. */
   sort(): void {
-    const boxes: number[] = [];
     const most = this.#placed.reduce((sum, placed) => sum + countOf(placed), 0);
+    const boxes = new Int32Array(4 * most);
     this.#volumes = new Float64Array(STRIDE * most);
+    this.#owners = new Int32Array(most);
+    this.#indices = new Int32Array(most);
     this.#placed.forEach((placed, owner) => this.#measure(placed, owner, boxes));
-    this.#lists = pixelLists(boxes, this.#screen);
+    this.#lists = pixelLists(boxes.subarray(0, 4 * this.#count), this.#screen);
   }
 
   /** Whether any triangle's box meets the pixel. */
@@ -97,7 +100,7 @@ export class Triangles {
     }
   }
 
-  #measure(placed: PlacedObject, owner: number, boxes: number[]): void {
+  #measure(placed: PlacedObject, owner: number, boxes: Int32Array): void {
     const count = countOf(placed);
     for (let triangle = 0; triangle < count; triangle++) {
       const corners = cornersOf(placed, triangle);
@@ -105,11 +108,12 @@ export class Triangles {
       const box = boxOf(corners, this.#screen);
       if (box === null) continue;
       const bc = cross(b, c);
-      const at = STRIDE * this.#owners.length;
-      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], at);
-      this.#owners.push(owner);
-      this.#indices.push(triangle);
-      boxes.push(...box);
+      const at = this.#count;
+      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], STRIDE * at);
+      this.#owners[at] = owner;
+      this.#indices[at] = triangle;
+      boxes.set(box, 4 * at);
+      this.#count += 1;
     }
   }
 }
