@@ -18,7 +18,7 @@ export type PanelChange = 'camera' | 'lights' | 'meshes' | 'viewer';
 /** What the element needs of a control panel. */
 export interface Panel {
   /** Called after changes, once per kind and task. Requests no frames. */
-  update(change: PanelChange): void;
+  readonly update: (change: PanelChange) => void;
   dispose(): void;
 }
 
