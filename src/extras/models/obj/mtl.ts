@@ -88,15 +88,15 @@ export async function readMtl(
     }
     ({ at } = scanner);
   }
-  const most = [...materials.values()].flatMap(({ colors: { ka, kd } }) => [ka ?? [], kd ?? []]);
-  const full = most.some((color) => color.some((c) => c > MOST_FRACTION)) ? 255 : 1;
+  const colors = [...materials.values()].flatMap(({ colors: { ka, kd } }) => [ka, kd]);
+  const full = colors.some((color) => color?.some((c) => c > MOST_BRIGHT)) ? 255 : 1;
   return new Map(
     await slices.map([...materials], ([name, draft]) => [name, finished(draft, full)] as const),
   );
 }
 
 /** A library with a Ka or Kd above this counts to 255. Less may be a bright colour. */
-const MOST_FRACTION = 16;
+const MOST_BRIGHT = 16;
 
 /** Longest name of a material in bytes, as in the OBJ file. */
 const NAME_LENGTH = 256;
