@@ -30,11 +30,11 @@ export type LightSpace = (typeof LIGHT_SPACES)[number];
 export interface LightValues {
   /** Text shown in the panel and in explanations. Default: empty, shown as `light N`. */
   name: string;
-  /** Whether the light takes part. An inactive light costs no shading. Default true. */
+  /** The light takes part; an inactive one costs no shading. Default true. */
   active: boolean;
   /**
-   * Ia: colour of the light's ambient term; 255 is full, more is a brighter light, up to 1e6.
-   * Default 0 0 0.
+   * Ia: colour of the light's ambient term; 255 is full, more is brighter, up to 1e6. Default 0 0
+   * 0.
    */
   ambient: Vec3;
   /** Id: colour of the diffuse term, as `ambient`. Default 255 255 255. */
@@ -42,8 +42,8 @@ export interface LightValues {
   /** Is: colour of the specular term, as `ambient`. Default 255 255 255. */
   specular: Vec3;
   /**
-   * Homogeneous position x y z w. w = 1: the light's place, in scene units; w = 0: the vector that
-   * points to a light infinitely far away. Three numbers mean w = 1. Default 1 2 3 0.
+   * w = 1, or left out: the light's place, in scene units; w = 0: the vector that points to a light
+   * infinitely far away. Default 1 2 3 0.
    */
   position: Vec4;
   /** Where a spot points, away from the light; any length. Zero: no spot. Default 0 0 -1. */

@@ -44,20 +44,17 @@ export interface ShapeValues extends SurfaceValues {
   geometry: GeometryName | null;
   /**
    * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's
-   * outline (1/4 of a device pixel) and the shading of its faces (one code) need, within what its
-   * pixels allow; shapes with flat faces have 1. Under other shading the shape's own number.
-   * Framing and zoom always measure the round shape. Default auto.
+   * outline (1/4 of a device pixel) and the shading of its faces (one code) need and its pixels
+   * allow, 1 for shapes with flat faces; else the shape's own number. Framing and zoom measure the
+   * round shape. Default auto.
    */
   segments: number | 'auto';
   /**
-   * Plays the model's animation in a loop, while it is in view. Stopped for users who prefer
-   * reduced motion. Default false.
+   * Plays the model's animation in a loop while it is in view, unless the user prefers reduced
+   * motion. Default false.
    */
   autoplay: boolean;
-  /**
-   * Which of the model's animations `autoplay` plays, by its name in the file. Default empty: the
-   * first one.
-   */
+  /** The animation that `autoplay` plays, by its name in the file. Default empty: the first one. */
   animationName: string;
 }
 
@@ -70,9 +67,9 @@ export interface MeshValues extends ShapeValues {
   rotation: Vec3;
   /** Factors along the mesh's own axes, one or three; negative ones mirror. Default 1 1 1. */
   scale: Vec3;
-  /** How this mesh is shaded, as for the viewer. Null, the default: as the viewer says. */
+  /** As for the viewer. Null, the default: as the viewer says. */
   shading: Shading | null;
-  /** Specular lobe of this mesh, as for the viewer. Null, the default: as the viewer says. */
+  /** As for the viewer. Null, the default: as the viewer says. */
   reflection: Reflection | null;
 }
 

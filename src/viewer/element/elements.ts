@@ -46,23 +46,16 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   readonly localName: 'phong-viewer';
   addEventListener: Listen<this, PhongViewerEventMap>;
   removeEventListener: Listen<this, PhongViewerEventMap>;
-  /**
-   * The `<phong-light>` elements that belong to this viewer, in document order. Frozen; a new list
-   * when they change.
-   */
+  /** Its `<phong-light>` elements in document order. Frozen; a new list when they change. */
   readonly lights: readonly PhongLight[];
   /**
-   * Makes the viewer's lights those of `lights`, by name: `setLights({ sun: { position: [1, 2, 3, 0] },
-   * lamp: {} })`. A light that has the name is changed, one that is missing is appended, and all
-   * others are removed. Values that are left out have their defaults, so that the same call gives the same
-   * lights whatever was there. A bad value or an unknown one throws, and then nothing changes. Not a
-   * step of undo: that takes back what the user did.
+   * Makes the viewer's lights those of `lights`: `setLights({ sun: { position: [1, 2, 3, 0] },
+   * lamp: {} })`. A light of that name is changed, one that is missing is appended, all others are
+   * removed. Values that are left out have their defaults. A bad or unknown value throws, and
+   * nothing changes. Not a step of undo: that takes back what the user did.
    */
   setLights(lights: LightsByName): void;
-  /**
-   * The `<phong-mesh>` elements that belong to this viewer, in document order. Frozen; a new list
-   * when they change.
-   */
+  /** Its `<phong-mesh>` elements in document order. Frozen; a new list when they change. */
   readonly meshes: readonly PhongMesh[];
   /** The camera as it is now, wherever the user, `auto-rotate` or `auto` has moved it. */
   readonly camera: CameraState;
@@ -71,31 +64,30 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    */
   readonly loaded: boolean;
   /**
-   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts
-   * that are left out are the page's ({@link ViewerClass.texts}), or English. Reading gives those
-   * in use; null, the default, if all are English. Anything but an object of strings throws.
+   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Others
+   * are the page's ({@link ViewerClass.texts}), or English. Reading gives those in use; null, the
+   * default, if all are English. Anything but an object of strings throws.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
   /**
    * The three.js scene, for objects of your own. After changing it call {@link requestRender}, or
-   * {@link refit} if it has new vertices. The standalone file does not contain the shaders of
-   * three.js's own materials: objects need a ShaderMaterial or a RawShaderMaterial there.
+   * {@link refit} if it has new vertices. In the standalone file, which is without the shaders of
+   * three.js's own materials, objects need a ShaderMaterial or a RawShaderMaterial.
    */
   readonly scene: Scene;
   /**
-   * Most triangles that all meshes together may hold, shared shapes and models counted once and
-   * flat ones 4.4 times. A mesh beyond is not shown and reports `too-large`, until it is tried
-   * again: by the button of the message, or by setting this. Default and most: 16,777,216. Lower it
-   * where strangers write the markup.
+   * Most triangles that all meshes together may hold, shared ones counted once and flat ones 4.4
+   * times. A mesh beyond is not shown and reports `too-large`, until it is tried again, by the
+   * message's button or by setting this. Default and most: 16,777,216. Lower it where strangers
+   * write the markup.
    */
   get maxTriangles(): number;
   set maxTriangles(triangles: number | null | undefined);
   /**
-   * Most bytes that vertices and images may take together, by an estimate for the page and the GPU
-   * process; the limits of files, images and draws shrink with it. As {@link maxTriangles};
-   * default and most: 950,000,000. Where one page shows several viewers of strangers, give each its
-   * share.
+   * Most bytes that vertices and images take together, estimated for the page and the GPU process;
+   * the limits of files, images and draws shrink with it. As {@link maxTriangles}; default and
+   * most: 950,000,000. If one page shows several viewers of strangers, give each its share.
    */
   get maxMemory(): number;
   set maxMemory(bytes: number | null | undefined);
@@ -106,40 +98,33 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    */
   readonly ready: Promise<void>;
   /**
-   * Draws one frame, for changes to {@link scene} that the element cannot see. Keeps target and
-   * radius and measures nothing: geometries are taken to have the bounds they had.
+   * Draws one frame, for changes to {@link scene} that the element cannot see. Measures nothing:
+   * target, radius and the geometries' bounds stay.
    */
   requestRender(): void;
   /**
-   * Measures the scene again and draws one frame: for new vertices in a geometry of {@link scene},
-   * and for a new framing where `target` or `radius` is `auto` and the user has not moved the
-   * camera.
+   * Measures the scene again and draws one frame: for new vertices in a geometry, and for a new
+   * framing where `target` or `radius` is `auto` and the user has not moved the camera.
    */
   refit(): void;
-  /**
-   * The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid
-   * sizes.
-   */
+  /** The picture now, at exactly `width` × `height` pixels. `RangeError` for invalid sizes. */
   toBlob(options?: PictureOptions): Promise<Blob>;
   /**
-   * Explains the fragment that the picture shows at `x`, `y`, in float64: CSS pixels from its top
-   * left corner, inside any border, like `offsetX` and `offsetY`. The fragment is the one at the
-   * centre of the device pixel there, or with `exact` the one at that very point. Blended surfaces
-   * are explained without what lies behind them, textures without mipmaps. Null where nothing is
-   * hit, where an object of your own is nearest (its lines and points are ignored), and while the
-   * viewer has no box on the page. Rejects unless x and y are finite numbers.
+   * Explains, in float64, the fragment at `x`, `y`: CSS pixels from the picture's top left corner,
+   * inside any border, like `offsetX` and `offsetY`. It is the one at the centre of the device
+   * pixel there, with `exact` the one at that very point. Blended surfaces are explained without
+   * what lies behind them, textures without mipmaps. Null where nothing is hit, where an object of
+   * your own is nearest (its lines and points are ignored), and while the viewer has no box on the
+   * page. Rejects unless x and y are finite.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
-   * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface
-   * there, drawn, hidden or outside the picture. Null if no surface is within a two-hundredth of
-   * the eye's distance from it. Rejects unless it is three finite numbers.
+   * Explains a point in world space as {@link shadeAt} does a pixel: the surface there, drawn,
+   * hidden or outside the picture. Null if no surface is within a two-hundredth of the eye's
+   * distance. Rejects unless it is three finite numbers.
    */
   explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
-  /**
-   * The scene as markup with the camera as it is now. Loaded at the same size, it gives the same
-   * picture.
-   */
+  /** The scene as markup with the camera as it is now: at the same size, the same picture. */
   toHTML(): string;
   /** Back to the last declared camera. */
   resetCamera(): void;
@@ -352,24 +337,17 @@ export interface PhongViewerEventMap {
   load: CustomEvent<LoadDetail>;
   /** Bytes of models have arrived; `detail.totalProgress` is from 0 to 1. */
   progress: CustomEvent<{ readonly totalProgress: number }>;
-  /**
-   * Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if
-   * any.
-   */
+  /** Something failed: `detail.code`, `detail.message`, and `detail.url`, the address, if any. */
   error: CustomEvent<ViewerErrorDetail>;
-  /**
-   * The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another
-   * viewer of its `camera-group`.
-   */
+  /** The camera moved; `detail.source` says by what. `detail.linked`: with its `camera-group`. */
   'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
   /**
-   * Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it
-   * may be empty).
+   * Lights were written to (`detail.lights`, in that order), added, removed or reordered (it may be
+   * empty).
    */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /**
-   * The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and
-   * `detail.y`.
+   * The probe's point is another, or has changed: `detail.fragment` at `detail.x` and `detail.y`.
    */
   'probe-change': CustomEvent<ProbeDetail>;
   /** A changed picture is on the canvas. Its pixels can be read in the listener, but not later. */

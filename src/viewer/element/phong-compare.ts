@@ -35,8 +35,7 @@ interface CompareElement extends CompareProperties {
 
 /**
  * Shows the viewers that are its children over each other, with dividers between them, or side by
- * side. Their cameras move together, except those of viewers with a `camera-group` of their own.
- * CSS gives the size, 300 × 150 pixels if it gives none; the viewers fill it.
+ * side. CSS gives the size, 300 × 150 pixels if it gives none; the viewers fill it.
  *
  * @slot - `<phong-viewer>` elements; other children are not displayed
  * @csspart label - the label of a viewer

@@ -13,10 +13,9 @@ interface ControlElement extends ControlProperties {
 }
 
 /**
- * Edits one value of viewers, lights or meshes: a slider with a number, a switch, a choice, a
- * colour, a vector or a stepper, as the value asks. It may stand in a line of text, where a number
- * is dragged sideways, turned by arrow keys or typed. It follows scripts, drags and the panel, and
- * its changes can be undone. On paper it is its name and value.
+ * Edits one value of viewers, lights or meshes, by a slider with a number, a switch, a choice, a
+ * colour, a vector or a stepper, on a line of its own or in a sentence. It follows scripts, drags
+ * and the panel. On paper it is its name and value.
  *
  * @slot - the label; empty: the value's name, in the page's language
  * @csspart label - the label

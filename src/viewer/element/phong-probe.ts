@@ -14,9 +14,8 @@ interface ProbeElement extends ProbeProperties, FormControl {
 }
 
 /**
- * Explains one point of a viewer's picture, anywhere on the page: the sum light by light, the
- * equation with its numbers, or questions with fields for answers. Ordinary HTML in the flow of the
- * page: as wide as its place, in its font and colours. In a form it is a control.
+ * Explains one point of a viewer's picture anywhere on the page, as ordinary HTML in the page's
+ * flow, font and colours. In a form it is a control.
  *
  * @csspart title - the light and the term of a line
  * @csspart input - each field for an answer

@@ -59,21 +59,16 @@ interface ViewerElement extends ViewerProperties {
  * is transparent. Properties have the attributes' names in camel case. A bad attribute value warns
  * and gives the default; a bad property value throws.
  *
- * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is
- * displayed
- * @slot poster - an image that is shown until the first picture, and where no script runs, in place
- * of that of `poster`
- * @slot progress - shown instead of the element's own progress bar, while something has been
- * loading for more than 300 ms
- * @slot error - shown instead of the element's own message and button when something fails
+ * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers
+ * @slot poster - an image in place of `poster`, which is shown without script too
+ * @slot progress - in place of the element's own progress bar, once loading takes more than 300 ms
+ * @slot error - in place of the element's own message and button when something fails
  * @csspart surface - the picture, without the panel
  * @csspart poster - the image shown before the first picture
- * @csspart progress - the element's own progress bar; its `color` is that of the share that has
- * arrived
+ * @csspart progress - the element's own progress bar; `color` is that of what has arrived
  * @csspart notice - the element's own message when something fails
- * @csspart retry - the button under that message, which tries again what failed
- * @csspart dismiss - the same button beside a message about a file of the user's own, which removes
- * the message
+ * @csspart retry - the button under that message: tries again
+ * @csspart dismiss - the button beside a message about a file of the user's own: removes it
  * @csspart panel - the control panel's place
  * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum

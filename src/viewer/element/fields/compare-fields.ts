@@ -12,21 +12,20 @@ import type { Inputs, ValuesOf } from './properties.js';
 
 export interface CompareProperties {
   /**
-   * `split`: the viewers lie over each other, with dividers that the user can move. `side`: they
-   * lie side by side. Default split.
+   * `split`: the viewers lie over each other, with dividers. `side`: side by side. Default split.
    */
   get layout(): 'split' | 'side';
   set layout(value: Accepted['layout']);
   /**
-   * Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom
+   * The viewers follow each other along a line of text (`horizontal`) or from top to bottom
    * (`vertical`). Default horizontal.
    */
   get direction(): 'horizontal' | 'vertical';
   set direction(value: Accepted['direction']);
   /**
-   * Where the dividers of `split` are: percent from the start of the line, or from the top, in
-   * ascending order. Those left out share the rest evenly. The property follows the user's moves,
-   * the attribute does not. Default auto: equal parts.
+   * Where the dividers of `split` are: percent from the start of the line, or from the top. Those
+   * left out share the rest evenly. The property follows the user's moves, the attribute does not.
+   * Default auto: equal parts.
    */
   get at(): readonly number[] | 'auto';
   set at(value: Accepted['at']);

@@ -4,7 +4,7 @@ import type { Inputs, ValuesOf } from './properties.js';
 
 export interface ControlProperties {
   /**
-   * Ids of viewers, lights or meshes, separated by spaces. All get the value; the first one's is
+   * Ids of viewers, lights or meshes, separated by spaces. All get the value; that of the first is
    * shown. Default empty.
    */
   get for(): string;
@@ -36,8 +36,8 @@ export interface ControlProperties {
   get step(): number | null;
   set step(value: Accepted['step']);
   /**
-   * `number`: a number to drag, turn or type. `slider`: a slider with that number, on a line of its
-   * own. Null, the default: a number within a line of text, otherwise a slider.
+   * `number` to drag, turn or type, or `slider` with that number, on a line of its own. Null, the
+   * default: a number within a line of text, otherwise a slider.
    */
   get type(): 'number' | 'slider' | null;
   set type(value: Accepted['type']);

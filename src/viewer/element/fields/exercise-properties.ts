@@ -18,7 +18,7 @@ export interface ExerciseProperties {
   set kinds(value: Accepted['kinds']);
   /**
    * How much is said: `what` names the mistake, `where` shows where it differs, `verdict` says only
-   * whether it is right, `none` nothing. Default what.
+   * right or wrong, `none` nothing. Default what.
    */
   get hint(): 'what' | 'where' | 'verdict' | 'none';
   set hint(value: Accepted['hint']);

@@ -7,15 +7,15 @@ export interface ProbeProperties {
   get for(): string;
   set for(value: Accepted['for']);
   /**
-   * `table`: the sum light by light. `formula`: the equation with the numbers of the point. `ask`:
-   * the same as questions. Null, the default: `ask` where {@link ask} says what, else `table`.
+   * `table`: the sum light by light. `formula`: the equation with its numbers. `ask`: the same as
+   * questions. Null, the default: `ask` where {@link ask} says what, else `table`.
    */
   get as(): 'table' | 'formula' | 'ask' | null;
   set as(value: Accepted['as']);
   /**
-   * World-space point on a surface. Null, the default: the point under the mouse or a finger, or
-   * pinned by a press; questions take pinned points only. Before that the viewer's `probe-at`, or
-   * the middle of the picture.
+   * World-space point on a surface. Null, the default: the point under the mouse, or pinned by a
+   * press (questions: pinned only), before that the viewer's `probe-at`, or the middle of the
+   * picture.
    */
   get at(): Vec3 | null;
   set at(value: Accepted['at']);
@@ -26,8 +26,8 @@ export interface ProbeProperties {
   get ask(): string;
   set ask(value: Accepted['ask']);
   /**
-   * Any text: another point of the surface and other coefficients for each, the same for the same
-   * text. Empty, the default: the point and the numbers of the scene.
+   * Another point of the surface and other coefficients for each text. Empty, the default: those of
+   * the scene.
    */
   get seed(): string;
   set seed(value: Accepted['seed']);

@@ -51,32 +51,29 @@ export interface ViewerProperties extends ShapeProperties {
   get target(): Vec3 | 'auto';
   set target(value: Accepted['target']);
   /**
-   * The picture in words. Empty, the default: none. The attribute `alt=""` says that the picture is
-   * decoration. Without it, and without `aria-label` or `aria-labelledby`, the console warns.
+   * The picture in words; `alt=""` says that it is decoration. Without it, `aria-label` and
+   * `aria-labelledby` the console warns. Empty, the default: none.
    */
   get alt(): string;
   set alt(value: Accepted['alt']);
   /**
-   * Address of an image shown until the first picture is drawn. One that cannot be shown leaves
-   * nothing behind. Default empty: none.
+   * Address of an image shown until the first picture is drawn; nothing if it cannot be. Default
+   * empty: none.
    */
   get poster(): string;
   set poster(value: Accepted['poster']);
   /**
-   * What waits until the viewer is in view or less than a screen height away from it. `auto`:
-   * drawing; models are fetched at once, but inside a closed dialog or `<details>` only once it is
-   * opened. `eager`: nothing, the picture is drawn off screen too, as screenshots of whole pages
-   * need. `lazy`: drawing and fetching models. Default auto.
+   * What waits until the viewer is less than a screen height away from the view. `auto`: drawing;
+   * models are fetched at once, in a closed dialog or `<details>` once it is opened. `eager`:
+   * nothing, as screenshots of whole pages need. `lazy`: drawing and fetching models. Default auto.
    */
   get loading(): Loading;
   set loading(value: Accepted['loading']);
-  /**
-   * Files dropped on the viewer become its `src`; a PNG that holds a scene opens it. Default false.
-   */
+  /** Files dropped on the viewer become its `src`; a PNG with a scene opens it. Default false. */
   get droppable(): boolean;
   set droppable(value: Accepted['droppable']);
   /**
-   * How files that a model names are fetched from other origins: without (`anonymous`) or with
+   * Fetches files that a model names from other origins too, without (`anonymous`) or with
    * credentials. Null, the default: not at all.
    */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null;
@@ -84,20 +81,17 @@ export interface ViewerProperties extends ShapeProperties {
   /** Vertical field of view in degrees, 1–170. Default 45. */
   get fov(): number;
   set fov(value: Accepted['fov']);
-  /** Whether the user can rotate the scene and shift the target. Default true. */
+  /** The user can rotate the scene and shift the target. Default true. */
   get orbit(): boolean;
   set orbit(value: Accepted['orbit']);
-  /** Whether the user can zoom by wheel, pinch and keys. Default true. */
+  /** The user can zoom by wheel, pinch and keys. Default true. */
   get zoom(): boolean;
   set zoom(value: Accepted['zoom']);
-  /**
-   * Degrees per second about y; 0 is off. Stopped for users who prefer reduced motion. Default 0.
-   */
+  /** Degrees per second about y, unless the user prefers reduced motion; 0 is off. Default 0. */
   get autoRotate(): number;
   set autoRotate(value: Accepted['autoRotate']);
   /**
-   * `phong` per fragment, `gouraud` per vertex, `flat` per fragment with the triangle's normal.
-   * Default phong.
+   * `phong` per fragment, `gouraud` per vertex, `flat` with the triangle's normal. Default phong.
    */
   get shading(): Shading;
   set shading(value: Accepted['shading']);
@@ -114,8 +108,7 @@ export interface ViewerProperties extends ShapeProperties {
   set colorInterpolation(value: Accepted['colorInterpolation']);
   /**
    * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that
-   * stands still converges to the mean over each pixel; until then, and while anything moves, like
-   * `edges`. Default edges.
+   * stands still converges to the mean over each pixel. Default edges.
    */
   get antialias(): Antialias;
   set antialias(value: Accepted['antialias']);
@@ -123,9 +116,8 @@ export interface ViewerProperties extends ShapeProperties {
   get samples(): number;
   set samples(value: Accepted['samples']);
   /**
-   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device
-   * has, and fewer while something moves and drawing is slow. Below 1 the picture is blurred.
-   * Default auto.
+   * Most pixels of the canvas per CSS pixel, above 0; below 1 the picture is blurred. `auto`: those
+   * of the device, fewer while something moves and drawing is slow. Default auto.
    */
   get pixelRatio(): number | 'auto';
   set pixelRatio(value: Accepted['pixelRatio']);
@@ -135,42 +127,34 @@ export interface ViewerProperties extends ShapeProperties {
    */
   get helpers(): readonly Helper[];
   set helpers(value: Accepted['helpers']);
-  /**
-   * What the picture shows: the shaded colours, or one quantity of the equation with a legend.
-   * Default shaded.
-   */
+  /** What the picture shows: the shaded colours, or one quantity with a legend. Default shaded. */
   get view(): View;
   set view(value: Accepted['view']);
   /**
-   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and
-   * the picture is black. Empty, the default: all lights, or the first active one where a view is
-   * of one.
+   * Name of the light that `view` is limited to, `shaded` too. If no light has it, the console
+   * warns and the picture is black. Empty, the default: all lights, or the first active one for
+   * views of one.
    */
   get viewLight(): string;
   set viewLight(value: Accepted['viewLight']);
   /**
-   * The user can point at the picture to see N, L, R and V there, and the sum light by light.
-   * Default false.
+   * The user can point at the picture to see N, L, R, V and the sum light by light. Default false.
    */
   get probe(): boolean;
   set probe(value: Accepted['probe']);
   /**
-   * World-space point. The probe explains the fragment at its pixel until the user points
-   * elsewhere. Null, the default: none.
+   * Point in world space whose pixel the probe explains until the user points elsewhere. Null, the
+   * default: none.
    */
   get probeAt(): Vec3 | null;
   set probeAt(value: Accepted['probeAt']);
-  /**
-   * Viewers of a page with the same name here move their cameras together. Empty, the default:
-   * alone.
-   */
+  /** Viewers with the same name here move their cameras together. Empty, the default: alone. */
   get cameraGroup(): string;
   set cameraGroup(value: Accepted['cameraGroup']);
   /**
-   * The control panel is shown: beside the picture from 640 px on, over it below. A list of folders
+   * The control panel is shown, beside the picture from 640 px on, else over it. A list of folders
    * (`lights camera shading show meshes`) opens these; a list of attributes of lights, meshes and
-   * the viewer shows only their rows, in this order and without folders. `gui="false"` is off.
-   * Default false.
+   * the viewer shows only their rows, in this order. `gui="false"` is off. Default false.
    */
   get gui(): boolean | readonly string[];
   set gui(value: Accepted['gui']);
