@@ -451,7 +451,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     };
     expectNoTrace(drags, drag);
     expect(moved).toBe(drags);
-  }, 60_000);
+  });
 
   it('leaves none with two fingers, which shift and pinch', () => {
     const { orbit, pointer, anyPlace, random, wander, expectNoTrace } = randomSetUp();
