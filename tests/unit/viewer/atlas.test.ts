@@ -1,8 +1,8 @@
 // Do the pictures of one frame find places on one canvas: apart from each other, inside it, and
-// without much waste? And do the tiles of a large one cover it?
+// without much waste?
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { type Region, tilesOf } from '../../../src/phong/math/region.js';
+import type { Region } from '../../../src/phong/math/region.js';
 import { layOutAtlas } from '../../../src/viewer/scene/gpu/atlas.js';
 
 const limit = { side: 4096, area: 1920 * 1080 };
@@ -56,24 +56,3 @@ describe('an atlas of pictures', () => {
     );
   });
 });
-
-test.each([
-  [7, 5, 6, 4],
-  [100, 3, 64, Infinity],
-  [5, 5, 100, 100],
-])(
-  'tiles cover each pixel of %d × %d once, within an area of %d and a side of %d',
-  (width, height, area, side) => {
-    const seen = new Uint8Array(width * height);
-    for (const tile of tilesOf({ width, height }, area, side)) {
-      expect(tile.width * tile.height).toBeLessThanOrEqual(area);
-      expect(Math.max(tile.width, tile.height)).toBeLessThanOrEqual(side);
-      for (let y = 0; y < tile.height; y++) {
-        for (let x = 0; x < tile.width; x++) {
-          seen[(tile.y + y) * width + tile.x + x]! += 1;
-        }
-      }
-    }
-    expect(seen).toEqual(new Uint8Array(width * height).fill(1));
-  },
-);
