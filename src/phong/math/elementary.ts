@@ -142,7 +142,8 @@ const COS = [
 
 /** The angle of (x, y) from the x axis in radians, −π to π; 0 for (0, 0). */
 export function atan2(y: number, x: number): number {
-  const [a, b] = [Math.abs(x), Math.abs(y)];
+  const a = Math.abs(x);
+  const b = Math.abs(y);
   if (a === 0 && b === 0) return 0;
   const first = b <= a ? arctan(b / a) : Math.PI / 2 - arctan(a / b);
   const angle = x < 0 ? Math.PI - first : first;
@@ -154,11 +155,9 @@ function arctan(t: number): number {
   const half = t / (1 + Math.sqrt(1 + t * t));
   const z = half / (1 + Math.sqrt(1 + half * half));
   const w = z * z;
-  let sum = 0;
-  for (let n = 23; n >= 3; n -= 2) {
-    sum = (sum === 0 ? 0 : -w * sum) + 1 / n;
-  }
-  return 4 * (z - z * w * sum);
+  const end = 1 / 17 - w * (1 / 19 - w * (1 / 21 - w * (1 / 23)));
+  const middle = 1 / 9 - w * (1 / 11 - w * (1 / 13 - w * (1 / 15 - w * end)));
+  return 4 * (z - z * w * (1 / 3 - w * (1 / 5 - w * (1 / 7 - w * middle))));
 }
 
 /** The angle from 0 to π whose cosine is x, −1 to 1. */
