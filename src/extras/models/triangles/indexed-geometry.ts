@@ -40,6 +40,7 @@ export class IndexedGeometries {
     const slices = this.#slices;
     const count = ranges.reduce((sum, { start, end }) => sum + end - start, 0);
     this.#budget.add({ parts: 1, corners: count, values: count });
+    const corners = lists.corners.array;
     const index = new Uint32Array(count);
     /** A corner of each vertex: where its numbers are. */
     const firsts = new Uint32Array(count);
@@ -48,25 +49,24 @@ export class IndexedGeometries {
     let next = 0;
     let length = 0;
     for (const { start, end } of ranges) {
-      for (let corner = start; corner < end; corner += 1) {
-        if (slices.took(1 / 4)) {
-          await slices.pause();
+      await slices.over(end - start, (from, to) => {
+        for (let corner = start + from; corner < start + to; corner += 1) {
+          const position = corners[corner]!;
+          if (position === NOT_THERE) continue;
+          const latest = this.#latest[position]!;
+          let known = latest - this.#before - 1;
+          for (let i = 0; known >= 0 && !this.#agree(firsts[known]!, corner, withUvs); i += 1) {
+            known = i < MOST_COMPARED ? chain[known]! - this.#before - 1 : NONE;
+          }
+          if (known < 0) {
+            known = length++;
+            firsts[known] = corner;
+            chain[known] = latest;
+            this.#latest[position] = this.#before + length;
+          }
+          index[next++] = known;
         }
-        const position = lists.corners.array[corner] ?? 0;
-        if (position === NOT_THERE) continue;
-        const latest = this.#latest[position] ?? 0;
-        let known = latest - this.#before - 1;
-        for (let i = 0; known >= 0 && !this.#agree(firsts[known] ?? 0, corner, withUvs); i += 1) {
-          known = i < MOST_COMPARED ? (chain[known] ?? 0) - this.#before - 1 : NONE;
-        }
-        if (known < 0) {
-          known = length++;
-          firsts[known] = corner;
-          chain[known] = latest;
-          this.#latest[position] = this.#before + length;
-        }
-        index[next++] = known;
-      }
+      });
     }
     this.#before += length;
     if (next === 0) return null;
@@ -85,7 +85,7 @@ export class IndexedGeometries {
         await gathered(array, firsts.subarray(0, length), numberOf, size, slices),
       );
     };
-    const positionOf = (corner: number): number => lists.corners.array[corner] ?? 0;
+    const positionOf = (corner: number): number => corners[corner]!;
     await set('position', lists.places, positionOf, 3);
     await set('normal', lists.normals, (corner) => itemAt(lists.cornerNormals, corner), 3);
     if (withUvs) {
@@ -124,15 +124,14 @@ async function gathered(
   slices: Slices,
 ): Promise<BufferAttribute> {
   const values = new Float32Array(corners.length * size);
-  for (let i = 0; i < corners.length; i += 1) {
-    if (slices.took(1 / 16)) {
-      await slices.pause();
+  await slices.over(corners.length, (start, end) => {
+    for (let i = start; i < end; i += 1) {
+      const from = numberOf(corners[i]!) * size;
+      if (from < 0) continue;
+      for (let c = 0; c < size; c += 1) {
+        values[i * size + c] = source[from + c]!;
+      }
     }
-    const from = numberOf(corners[i] ?? 0) * size;
-    if (from < 0) continue;
-    for (let c = 0; c < size; c += 1) {
-      values[i * size + c] = source[from + c] ?? 0;
-    }
-  }
+  });
   return new BufferAttribute(values, size);
 }

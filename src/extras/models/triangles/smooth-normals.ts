@@ -50,8 +50,8 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
   const fan = new Fan();
   let pairs = 0;
   for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
-    const start = starts[vertex] ?? 0;
-    const end = starts[vertex + 1] ?? 0;
+    const start = starts[vertex]!;
+    const end = starts[vertex + 1]!;
     const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
     if (smoothed) {
       pairs += (end - start) * (end - start);
@@ -78,7 +78,7 @@ class Fan {
   readonly #z = new Float64Array(FAN_LIMIT);
   readonly #angles = new Float64Array(FAN_LIMIT);
   readonly #triangles = new Int32Array(FAN_LIMIT);
-  readonly #groups = new Int32Array(FAN_LIMIT);
+  readonly #groups = new Int32Array(FAN_LIMIT).fill(UNSTATED);
   /** The corners of its face before and after each corner, or those of its triangle. */
   readonly #before = new Uint32Array(FAN_LIMIT);
   readonly #after = new Uint32Array(FAN_LIMIT);
@@ -88,24 +88,29 @@ class Fan {
   load(corners: Uint32Array, lists: CornerLists, { normals, angles }: Faces): void {
     const { groups } = lists;
     const vertices = lists.corners.array;
+    const stated = groups.length > 0;
     for (let i = 0; i < corners.length; i += 1) {
-      const corner = corners[i] ?? 0;
-      const triangle = Math.floor(corner / 3);
-      const place = corner - 3 * triangle;
-      this.#before[i] = vertices[3 * triangle + ((place + 2) % 3)] ?? 0;
-      this.#after[i] = vertices[3 * triangle + ((place + 1) % 3)] ?? 0;
+      const corner = corners[i]!;
+      const triangle = (corner / 3) | 0;
+      const first = 3 * triangle;
       this.#triangles[i] = triangle;
-      this.#x[i] = normals[3 * triangle] ?? 0;
-      this.#y[i] = normals[3 * triangle + 1] ?? 0;
-      this.#z[i] = normals[3 * triangle + 2] ?? 0;
-      this.#angles[i] = angles[corner] ?? 0;
+      this.#x[i] = normals[first]!;
+      this.#y[i] = normals[first + 1]!;
+      this.#z[i] = normals[first + 2]!;
+      this.#angles[i] = angles[corner]!;
+      if (!stated) continue;
       this.#groups[i] = itemAt(groups, triangle);
+      this.#before[i] = vertices[first + ((corner - first + 2) % 3)]!;
+      this.#after[i] = vertices[first + ((corner - first + 1) % 3)]!;
     }
+    if (!stated) return;
     for (let first = 0, i = 1; i <= corners.length; i += 1) {
-      const triangle = this.#triangles[i] ?? 0;
+      const triangle = this.#triangles[i]!;
       const goesOn = i < corners.length && triangle === this.#triangles[i - 1]! + 1;
       if (goesOn && lists.joined.array[triangle] === 1) continue;
-      this.#joinFace(first, i);
+      if (i - first > 1) {
+        this.#joinFace(first, i);
+      }
       first = i;
     }
   }
@@ -144,7 +149,7 @@ class Fan {
         }
         lists.pushNormal(sum.x, sum.y, sum.z);
       }
-      lists.cornerNormals.array[corners[i] ?? 0] = isOne ? first : mergedWithLast(lists, first);
+      lists.cornerNormals.array[corners[i]!] = isOne ? first : mergedWithLast(lists, first);
       if (i === 0) {
         isOne = smoothed && this.#areOne(corners.length);
       }
@@ -155,20 +160,20 @@ class Fan {
   #areOne(count: number): boolean {
     const { x, y, z } = this.#sum;
     const least = HALF_CREASE_COSINE * Math.sqrt(x * x + y * y + z * z);
-    const group = this.#groups[0] ?? FACETED;
+    const group = this.#groups[0]!;
     for (let i = 0; i < count; i += 1) {
-      const along = x * (this.#x[i] ?? 0) + y * (this.#y[i] ?? 0) + z * (this.#z[i] ?? 0);
+      const along = x * this.#x[i]! + y * this.#y[i]! + z * this.#z[i]!;
       if (!(along >= least) || this.#groups[i] !== group || group === FACETED) return false;
     }
     return least > 0;
   }
 
   #smooth(i: number, count: number): void {
-    const x = this.#x[i] ?? 0;
-    const y = this.#y[i] ?? 0;
-    const z = this.#z[i] ?? 0;
-    const triangle = this.#triangles[i] ?? 0;
-    const group = this.#groups[i] ?? UNSTATED;
+    const x = this.#x[i]!;
+    const y = this.#y[i]!;
+    const z = this.#z[i]!;
+    const triangle = this.#triangles[i]!;
+    const group = this.#groups[i]!;
     const least =
       group === UNSTATED
         ? CREASE_COSINE
@@ -180,14 +185,14 @@ class Fan {
     let sumZ = 0;
     let weights = 0;
     for (let j = 0; j < count; j += 1) {
-      const otherX = this.#x[j] ?? 0;
-      const otherY = this.#y[j] ?? 0;
-      const otherZ = this.#z[j] ?? 0;
+      const otherX = this.#x[j]!;
+      const otherY = this.#y[j]!;
+      const otherZ = this.#z[j]!;
       if (this.#triangles[j] !== triangle) {
         if (group === FACETED || this.#groups[j] !== group) continue;
         if (x * otherX + y * otherY + z * otherZ < least) continue;
       }
-      const angle = this.#angles[j] ?? 0;
+      const angle = this.#angles[j]!;
       sumX += angle * otherX;
       sumY += angle * otherY;
       sumZ += angle * otherZ;
@@ -210,24 +215,24 @@ class Fan {
    * looks the other way and has the same edge in the same direction, or both edges reversed.
    */
   #hasOtherSide(i: number, count: number): boolean {
-    const x = this.#x[i] ?? 0;
-    const y = this.#y[i] ?? 0;
-    const z = this.#z[i] ?? 0;
+    const x = this.#x[i]!;
+    const y = this.#y[i]!;
+    const z = this.#z[i]!;
     const [before, after, group] = [this.#before[i], this.#after[i], this.#groups[i]];
     for (let j = 0; j < count; j += 1) {
       const isSame = this.#before[j] === before || this.#after[j] === after;
       const isTwin = this.#before[j] === after && this.#after[j] === before;
       if (j === i || !(isSame || isTwin) || this.#groups[j] !== group) continue;
-      const along = x * (this.#x[j] ?? 0) + y * (this.#y[j] ?? 0) + z * (this.#z[j] ?? 0);
+      const along = x * this.#x[j]! + y * this.#y[j]! + z * this.#z[j]!;
       if (along < TURNED_AWAY) return true;
     }
     return false;
   }
 
   #takeOwn(i: number): void {
-    this.#sum.x = this.#x[i] ?? 0;
-    this.#sum.y = this.#y[i] ?? 0;
-    this.#sum.z = this.#z[i] ?? 0;
+    this.#sum.x = this.#x[i]!;
+    this.#sum.y = this.#y[i]!;
+    this.#sum.z = this.#z[i]!;
   }
 }
 
@@ -240,40 +245,36 @@ async function cornersByVertex(
   slices: Slices,
 ): Promise<{ readonly starts: Uint32Array; readonly around: Uint32Array }> {
   const { corners, cornerNormals, places } = lists;
+  // Every corner gets an item, to be overwritten.
+  cornerNormals.fillTo(corners.length, NONE);
+  const count = corners.length;
+  const [vertices, normals] = [corners.array, cornerNormals.array];
   const starts = new Uint32Array(places.count + 1);
   let missing = 0;
-  for (let corner = 0; corner < corners.length; corner += 1) {
-    if (slices.took(1 / 16)) {
-      await slices.pause();
+  await slices.over(count, (from, to) => {
+    for (let corner = from; corner < to; corner += 1) {
+      const vertex = vertices[corner]!;
+      if (vertex === NOT_THERE || normals[corner] !== NONE) continue;
+      starts[vertex]! += 1;
+      missing += 1;
     }
-    // Every corner gets an item, to be overwritten.
-    if (corner >= cornerNormals.length) {
-      cornerNormals.push(NONE);
-    }
-    const vertex = corners.array[corner] ?? 0;
-    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
-    starts[vertex] = (starts[vertex] ?? 0) + 1;
-    missing += 1;
-  }
+  });
   const around = new Uint32Array(missing);
   if (missing === 0) return { starts, around };
-  for (let vertex = 1; vertex < starts.length; vertex += 1) {
-    if (slices.took(1 / 64)) {
-      await slices.pause();
+  let sum = 0;
+  await slices.over(starts.length, (from, to) => {
+    for (let vertex = from; vertex < to; vertex += 1) {
+      starts[vertex] = sum += starts[vertex]!;
     }
-    starts[vertex] = (starts[vertex] ?? 0) + (starts[vertex - 1] ?? 0);
-  }
+  });
   // `starts` holds the ends now. Filling from the last corner down moves them to the starts.
-  for (let corner = corners.length - 1; corner >= 0; corner -= 1) {
-    if (slices.took(1 / 16)) {
-      await slices.pause();
+  await slices.over(count, (from, to) => {
+    for (let corner = count - 1 - from; corner >= count - to; corner -= 1) {
+      const vertex = vertices[corner]!;
+      if (vertex === NOT_THERE || normals[corner] !== NONE) continue;
+      around[(starts[vertex]! -= 1)] = corner;
     }
-    const vertex = corners.array[corner] ?? 0;
-    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
-    const place = (starts[vertex] ?? 0) - 1;
-    starts[vertex] = place;
-    around[place] = corner;
-  }
+  });
   return { starts, around };
 }
 
@@ -285,27 +286,27 @@ interface Faces {
 }
 
 async function measuredFaces({ corners, places }: CornerLists, slices: Slices): Promise<Faces> {
-  const count = corners.length / 3;
-  const normals = new Float32Array(3 * count);
-  const angles = new Float32Array(3 * count);
-  const position = places.array;
+  const normals = new Float32Array(corners.length);
+  const angles = new Float32Array(corners.length);
+  const [position, vertices] = [places.array, corners.array];
   const face: FaceVector = { x: 0, y: 0, z: 0 };
-  for (let i = 0; i < count; i += 1) {
-    if (slices.took(1 / 4)) {
-      await slices.pause();
+  await slices.over(corners.length, (from, to) => {
+    for (let i = from; i < to; i += 3) {
+      const a = 3 * vertices[i]!;
+      const b = 3 * vertices[i + 1]!;
+      const c = 3 * vertices[i + 2]!;
+      const doubleArea = faceVector(position, a, b, c, face);
+      if (!(doubleArea > 0)) continue;
+      normals[i] = face.x / doubleArea;
+      normals[i + 1] = face.y / doubleArea;
+      normals[i + 2] = face.z / doubleArea;
+      const first = atan2(doubleArea, edgesDot(position, a, b, c));
+      const second = atan2(doubleArea, edgesDot(position, b, c, a));
+      angles[i] = first;
+      angles[i + 1] = second;
+      angles[i + 2] = Math.PI - first - second; // a third less of the costliest step
     }
-    const a = 3 * (corners.array[3 * i] ?? 0);
-    const b = 3 * (corners.array[3 * i + 1] ?? 0);
-    const c = 3 * (corners.array[3 * i + 2] ?? 0);
-    const doubleArea = faceVector(position, a, b, c, face);
-    if (!(doubleArea > 0)) continue;
-    normals[3 * i] = face.x / doubleArea;
-    normals[3 * i + 1] = face.y / doubleArea;
-    normals[3 * i + 2] = face.z / doubleArea;
-    angles[3 * i] = atan2(doubleArea, edgesDot(position, a, b, c));
-    angles[3 * i + 1] = atan2(doubleArea, edgesDot(position, b, c, a));
-    angles[3 * i + 2] = atan2(doubleArea, edgesDot(position, c, a, b));
-  }
+  });
   return { normals, angles };
 }
 
@@ -313,8 +314,8 @@ async function measuredFaces({ corners, places }: CornerLists, slices: Slices): 
 function edgesDot(position: Float32Array, a: number, b: number, c: number): number {
   let sum = 0;
   for (let axis = 0; axis < 3; axis += 1) {
-    const origin = position[a + axis] ?? 0;
-    sum += ((position[b + axis] ?? 0) - origin) * ((position[c + axis] ?? 0) - origin);
+    const origin = position[a + axis]!;
+    sum += (position[b + axis]! - origin) * (position[c + axis]! - origin);
   }
   return sum;
 }

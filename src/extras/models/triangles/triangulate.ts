@@ -109,18 +109,18 @@ export class Polygons {
     const vertices = this.#v;
     let [nx, ny, nz] = [0, 0, 0];
     for (let i = 0; i < size; i += 1) {
-      const a = vertices[i] ?? 0;
+      const a = vertices[i]!;
       if (a >= count) return true;
-      const b = vertices[i + 1 === size ? 0 : i + 1] ?? 0;
-      faceVector(array, 3 * (vertices[0] ?? 0), 3 * a, 3 * b, turned);
+      const b = vertices[i + 1 === size ? 0 : i + 1]!;
+      faceVector(array, 3 * vertices[0]!, 3 * a, 3 * b, turned);
       nx += turned.x;
       ny += turned.y;
       nz += turned.z;
     }
     for (let i = 0; i < size; i += 1) {
-      const a = vertices[i] ?? 0;
-      const b = vertices[(i + 1) % size] ?? 0;
-      const c = vertices[(i + 2) % size] ?? 0;
+      const a = vertices[i]!;
+      const b = vertices[(i + 1) % size]!;
+      const c = vertices[(i + 2) % size]!;
       faceVector(array, 3 * b, 3 * c, 3 * a, turned);
       if (turned.x * nx + turned.y * ny + turned.z * nz < 0) return false;
     }
@@ -130,7 +130,7 @@ export class Polygons {
   #cutEars(flat: Float64Array, count: number): void {
     const most = this.steps + POLYGON_STEPS;
     const rest = Array.from({ length: count }, (_, i) => i);
-    const at = (i: number): number => rest[i % rest.length] ?? 0;
+    const at = (i: number): number => rest[i % rest.length]!;
     while (rest.length > 3) {
       let ear = rest.findIndex((b, i) => {
         this.steps += rest.length;
@@ -154,19 +154,19 @@ const turned: FaceVector = { x: 0, y: 0, z: 0 };
  */
 function flattened(positions: Float32Array, vertices: Int32Array): Float64Array {
   const count = vertices.length;
-  const at = (i: number, axis: number): number => positions[3 * (vertices[i] ?? 0) + axis] ?? NaN;
+  const at = (i: number, axis: number): number => positions[3 * vertices[i]! + axis] ?? NaN;
   // Newell's normal: twice the areas of the projections.
   const normal = [0, 0, 0];
   for (let i = 0; i < count; i += 1) {
     const j = i + 1 === count ? 0 : i + 1;
     for (let axis = 0; axis < 3; axis += 1) {
       const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-      normal[axis] = (normal[axis] ?? 0) + (at(i, u) - at(j, u)) * (at(i, v) + at(j, v));
+      normal[axis] = normal[axis]! + (at(i, u) - at(j, u)) * (at(i, v) + at(j, v));
     }
   }
   const sizes = normal.map(Math.abs);
   const axis = sizes.indexOf(Math.max(...sizes));
-  const flipped = (normal[axis] ?? 0) < 0;
+  const flipped = normal[axis]! < 0;
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
   const flat = new Float64Array(2 * count);
   for (let i = 0; i < count; i += 1) {
@@ -178,12 +178,9 @@ function flattened(positions: Float32Array, vertices: Int32Array): Float64Array 
 
 /** Twice the signed area of a triangle: positive where it turns left. */
 function turn(flat: Float64Array, a: number, b: number, c: number): number {
-  const x = flat[2 * a] ?? 0;
-  const y = flat[2 * a + 1] ?? 0;
-  return (
-    ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) -
-    ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
-  );
+  const x = flat[2 * a]!;
+  const y = flat[2 * a + 1]!;
+  return (flat[2 * b]! - x) * (flat[2 * c + 1]! - y) - (flat[2 * b + 1]! - y) * (flat[2 * c]! - x);
 }
 
 function isEar(
@@ -224,15 +221,15 @@ export function faceVector(
   c: number,
   out: FaceVector,
 ): number {
-  const ax = positions[a] ?? 0;
-  const ay = positions[a + 1] ?? 0;
-  const az = positions[a + 2] ?? 0;
-  const ux = (positions[b] ?? 0) - ax;
-  const uy = (positions[b + 1] ?? 0) - ay;
-  const uz = (positions[b + 2] ?? 0) - az;
-  const vx = (positions[c] ?? 0) - ax;
-  const vy = (positions[c + 1] ?? 0) - ay;
-  const vz = (positions[c + 2] ?? 0) - az;
+  const ax = positions[a]!;
+  const ay = positions[a + 1]!;
+  const az = positions[a + 2]!;
+  const ux = positions[b]! - ax;
+  const uy = positions[b + 1]! - ay;
+  const uz = positions[b + 2]! - az;
+  const vx = positions[c]! - ax;
+  const vy = positions[c + 1]! - ay;
+  const vz = positions[c + 2]! - az;
   out.x = uy * vz - uz * vy;
   out.y = uz * vx - ux * vz;
   out.z = ux * vy - uy * vx;
