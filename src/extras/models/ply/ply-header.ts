@@ -5,16 +5,22 @@ import { lineOf, TextScanner } from '../text/text-scanner.js';
 
 type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 
-export interface PlyType {
-  readonly names: readonly string[];
-  readonly bytes: number;
-  /**
-   * The number that means full intensity of a colour. Whole numbers of other widths are written for
-   * bytes.
-   */
-  readonly full: number;
-  readonly read: (view: DataView, at: number, isLittleEndian: boolean) => number;
-}
+/**
+ * `full` is the number that means full intensity of a colour. Whole numbers of other widths are
+ * written for bytes.
+ */
+const TYPES = [
+  { kind: 'int8', word: 'char', bytes: 1, full: 255 },
+  { kind: 'uint8', word: 'uchar', bytes: 1, full: 255 },
+  { kind: 'int16', word: 'short', bytes: 2, full: 255 },
+  { kind: 'uint16', word: 'ushort', bytes: 2, full: 65535 },
+  { kind: 'int32', word: 'int', bytes: 4, full: 255 },
+  { kind: 'uint32', word: 'uint', bytes: 4, full: 255 },
+  { kind: 'float32', word: 'float', bytes: 4, full: 1 },
+  { kind: 'float64', word: 'double', bytes: 8, full: 1 },
+] as const;
+
+export type PlyType = (typeof TYPES)[number];
 
 export interface PlyProperty {
   readonly name: string;
@@ -41,47 +47,6 @@ export interface PlyHeader {
 /** How many rows the elements of this name have. */
 export const countOf = (elements: readonly PlyElement[], name: string): number =>
   elements.reduce((sum, element) => sum + (element.name === name ? element.count : 0), 0);
-
-const TYPES: readonly PlyType[] = [
-  { names: ['char', 'int8'], bytes: 1, full: 255, read: (view, at) => view.getInt8(at) },
-  { names: ['uchar', 'uint8'], bytes: 1, full: 255, read: (view, at) => view.getUint8(at) },
-  {
-    names: ['short', 'int16'],
-    bytes: 2,
-    full: 255,
-    read: (view, at, little) => view.getInt16(at, little),
-  },
-  {
-    names: ['ushort', 'uint16'],
-    bytes: 2,
-    full: 65535,
-    read: (view, at, little) => view.getUint16(at, little),
-  },
-  {
-    names: ['int', 'int32'],
-    bytes: 4,
-    full: 255,
-    read: (view, at, little) => view.getInt32(at, little),
-  },
-  {
-    names: ['uint', 'uint32'],
-    bytes: 4,
-    full: 255,
-    read: (view, at, little) => view.getUint32(at, little),
-  },
-  {
-    names: ['float', 'float32'],
-    bytes: 4,
-    full: 1,
-    read: (view, at, little) => view.getFloat32(at, little),
-  },
-  {
-    names: ['double', 'float64'],
-    bytes: 8,
-    full: 1,
-    read: (view, at, little) => view.getFloat64(at, little),
-  },
-];
 
 const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([
   ['ascii', 'text'],
@@ -165,7 +130,7 @@ function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft): v
 }
 
 function typeNamed(written: string): PlyType {
-  const type = TYPES.find(({ names }) => names.includes(written));
+  const type = TYPES.find(({ kind, word }) => kind === written || word === written);
   if (type === undefined) throw new Error(`the type ${written} is unknown`);
   return type;
 }

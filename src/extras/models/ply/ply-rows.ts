@@ -18,7 +18,13 @@ import {
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
-import { countOf, type PlyElement, type PlyHeader, type PlyType } from './ply-header.js';
+import {
+  countOf,
+  type PlyElement,
+  type PlyHeader,
+  type PlyProperty,
+  type PlyType,
+} from './ply-header.js';
 
 /**
  * @param byLines whether each row of a text is a line, and may have more values than its header
@@ -34,8 +40,8 @@ export async function readRows(
 ): Promise<CornerLists> {
   const values =
     encoding === 'text'
-      ? textValues(bytes, end, byLines)
-      : binaryValues(bytes, end, encoding === 'little-endian');
+      ? new TextValues(bytes, end, byLines)
+      : new BinaryValues(bytes, end, encoding === 'little-endian');
   const rows = new PlyRows(elements, values, leftOut, slices);
   for (const element of elements) {
     if (element.properties.length > 0) {
@@ -67,6 +73,9 @@ const [PLACE, NORMAL, COLOR, ALPHA, UNUSED] = [0, 3, 6, 9, 10] as const;
 
 const slotOf = (name: string): number | undefined => SLOTS.get(name.toLowerCase());
 
+/** Most items of a list that are read at once. */
+const ITEMS_AT_ONCE = 256;
+
 type Row = Float64Array;
 
 /** What becomes of the rows of an element. Whatever else they have is skipped. */
@@ -77,6 +86,14 @@ interface RowTaker {
   readonly item?: (value: number) => void;
   readonly endList?: () => void;
   readonly end?: () => void;
+}
+
+interface Column extends Omit<PlyProperty, 'name'> {
+  readonly slot: number;
+  /** What its numbers are divided by. */
+  readonly full: number;
+  /** Whether it is the list of vertices. */
+  readonly taken: boolean;
 }
 
 class PlyRows {
@@ -92,6 +109,9 @@ class PlyRows {
   /** Position and steps that were counted as work. */
   #at = 0;
   #steps = 0;
+  /** Where a row was left: its property, and the items of that list that are still to be read. */
+  #column = 0;
+  #left = 0;
 
   constructor(
     elements: readonly PlyElement[],
@@ -109,7 +129,6 @@ class PlyRows {
   }
 
   async read(element: PlyElement): Promise<void> {
-    const values = this.#values;
     const slices = this.#slices;
     const row: Row = new Float64Array(UNUSED + 1);
     row[ALPHA] = 1;
@@ -125,40 +144,53 @@ class PlyRows {
       };
     });
     for (let i = 0; i < element.count;) {
-      if (values.beginRow()) {
-        taker.begin?.();
-        for (const { type, countType, slot, full, taken } of columns) {
-          if (countType === null) {
-            const value = values.next(type);
-            row[slot] = full === 1 ? value : Math.min(value / full, 1);
-            if (slot < NORMAL && Number.isNaN(value)) {
-              this.#leftOut.because('vertex', () => values.problem());
-            }
-            continue;
-          }
-          for (let left = this.#listLength(countType); left > 0; left -= 1) {
-            const value = values.next(type);
-            if (taken) {
-              taker.item?.(value);
-            }
-            if (this.#took()) {
-              await slices.pause();
-            }
-          }
-          if (taken) {
-            taker.endList?.();
-          }
-        }
-        taker.end?.();
-        if (values.endRow()) {
-          this.#leftOut.add('surplus');
-        }
+      if (this.#readPiece(columns, row, taker)) {
         i += 1;
       }
       if (this.#took()) {
         await slices.pause();
       }
     }
+  }
+
+  /** Reads a row, or a part of one with long lists. Whether that was its end. */
+  #readPiece(columns: readonly Column[], row: Row, taker: RowTaker): boolean {
+    const values = this.#values;
+    if (this.#column === 0 && this.#left === 0) {
+      if (!values.beginRow()) return false;
+      taker.begin?.();
+    }
+    while (this.#column < columns.length) {
+      const { type, countType, slot, full, taken } = columns[this.#column]!;
+      if (countType === null) {
+        const value = values.next(type);
+        row[slot] = full === 1 ? value : Math.min(value / full, 1);
+        if (slot < NORMAL && Number.isNaN(value)) {
+          this.#leftOut.because('vertex', () => values.problem());
+        }
+      } else {
+        const left = this.#left > 0 ? this.#left : this.#listLength(countType);
+        const end = Math.max(0, left - ITEMS_AT_ONCE);
+        for (let i = end; i < left; i += 1) {
+          const value = values.next(type);
+          if (taken) {
+            taker.item?.(value);
+          }
+        }
+        this.#left = end;
+        if (end > 0) return false;
+        if (taken) {
+          taker.endList?.();
+        }
+      }
+      this.#column += 1;
+    }
+    this.#column = 0;
+    taker.end?.();
+    if (values.endRow()) {
+      this.#leftOut.add('surplus');
+    }
+    return true;
   }
 
   /** Counts the work since the last call. */
@@ -369,43 +401,82 @@ const truncated = (): Error => new Error('it is truncated: it ends before its la
 /** `c` and `#`: no number begins with them. */
 const COMMENTS: ReadonlySet<number> = new Set([0x63, 0x23]);
 
-function textValues(bytes: Uint8Array, start: number, byLines: boolean): PlyValues {
-  const scanner = new TextScanner(bytes, start);
-  let begun = false;
-  return {
-    get at() {
-      return scanner.at;
-    },
-    beginRow: () => {
-      if (!byLines) return true;
-      if (!(begun ? scanner.nextLine() : scanner.nextWord())) throw truncated();
-      begun = true;
-      return !scanner.atLineEnd() && !COMMENTS.has(scanner.peek());
-    },
-    endRow: () => byLines && !scanner.atLineEnd(),
-    next: () => {
-      if (byLines ? scanner.atLineEnd() : !scanner.nextWord()) throw truncated();
-      return scanner.number();
-    },
-    problem: () => `${scanner.quotedWord()} is not a number`,
-  };
+class TextValues implements PlyValues {
+  readonly #scanner: TextScanner;
+  readonly #byLines: boolean;
+  #begun = false;
+
+  constructor(bytes: Uint8Array, start: number, byLines: boolean) {
+    this.#scanner = new TextScanner(bytes, start);
+    this.#byLines = byLines;
+  }
+
+  get at() {
+    return this.#scanner.at;
+  }
+
+  beginRow() {
+    if (!this.#byLines) return true;
+    const scanner = this.#scanner;
+    if (!(this.#begun ? scanner.nextLine() : scanner.nextWord())) throw truncated();
+    this.#begun = true;
+    return !scanner.atLineEnd() && !COMMENTS.has(scanner.peek());
+  }
+
+  endRow() {
+    return this.#byLines && !this.#scanner.atLineEnd();
+  }
+
+  next() {
+    const scanner = this.#scanner;
+    if (this.#byLines ? scanner.atLineEnd() : !scanner.nextWord()) throw truncated();
+    return scanner.number();
+  }
+
+  problem() {
+    return `${this.#scanner.quotedWord()} is not a number`;
+  }
 }
 
-function binaryValues(bytes: Uint8Array<ArrayBuffer>, start: number, little: boolean): PlyValues {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let at = start;
-  return {
-    get at() {
-      return at;
-    },
-    beginRow: () => true,
-    endRow: () => false,
-    problem: () => 'a value is not a number',
-    next: (type) => {
-      const from = at;
-      at += type.bytes;
-      if (at > view.byteLength) throw truncated();
-      return type.read(view, from, little);
-    },
-  };
+class BinaryValues implements PlyValues {
+  readonly #view: DataView;
+  readonly #little: boolean;
+  at: number;
+
+  constructor(bytes: Uint8Array<ArrayBuffer>, start: number, little: boolean) {
+    this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.#little = little;
+    this.at = start;
+  }
+
+  readonly beginRow = () => true;
+  readonly endRow = () => false;
+  readonly problem = () => 'a value is not a number';
+
+  /** In one function: one for each kind would return every number in an object of its own. */
+  next({ kind, bytes }: PlyType) {
+    const view = this.#view;
+    const little = this.#little;
+    const { at } = this;
+    this.at += bytes;
+    if (this.at > view.byteLength) throw truncated();
+    switch (kind) {
+      case 'int8':
+        return view.getInt8(at);
+      case 'uint8':
+        return view.getUint8(at);
+      case 'int16':
+        return view.getInt16(at, little);
+      case 'uint16':
+        return view.getUint16(at, little);
+      case 'int32':
+        return view.getInt32(at, little);
+      case 'uint32':
+        return view.getUint32(at, little);
+      case 'float32':
+        return view.getFloat32(at, little);
+      case 'float64':
+        return view.getFloat64(at, little);
+    }
+  }
 }
