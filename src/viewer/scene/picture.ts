@@ -98,6 +98,7 @@ export class Picture {
 
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
+    this.levels.changed();
     this.fit.reshaped();
   }
 
@@ -218,7 +219,7 @@ export class Picture {
     this.settle();
     this.place();
     if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit, share)) {
-      this.levels.choose(frame);
+      this.levels.choose(frame, this.fit.measure().bounds);
     }
     frame.aim(scene, this.fit.depthBounds());
   }

@@ -1,6 +1,6 @@
 // Do the levels of `segments="auto"` follow the shapes' measured constants, within the viewer's
 // limit of triangles? That the constants are right: levels-picture.test.ts.
-import { Euler, Matrix4, Vector3 } from 'three';
+import { Euler, Matrix4, Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { basisOf } from '../../../src/phong/camera/orbit.js';
@@ -19,6 +19,9 @@ import {
   roundOf,
   trianglesOf,
 } from '../../../src/phong/model/shapes/shapes.js';
+import { FIXED, type Level } from '../../../src/viewer/scene/mesh/shared-shapes.js';
+import type { Frame } from '../../../src/viewer/scene/frame.js';
+import { Levels } from '../../../src/viewer/scene/mesh/levels.js';
 import type { Cut } from '../../../src/phong/model/shapes/cut-faces.js';
 import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
 
@@ -300,5 +303,33 @@ describe('a flat shape', () => {
       expect(Math.min(...flat.half)).toBeGreaterThan(0);
       expect([...flat.center, ...flat.half].every(Number.isFinite)).toBe(true);
     }
+  });
+
+  it('is looked at only while it could be large, and once more to be whole again', () => {
+    let passes = 0;
+    const shown = { auto: 'box' as const, isFixed: false, level: FIXED as Level };
+    const levels = new Levels({
+      style: { shading: 'phong' },
+      budget: { limit: Infinity, used: 0 },
+      get meshes() {
+        passes += 1;
+        return [{ shown: Object.assign(shown, { parts: [{ mesh: new Mesh() }] }) }];
+      },
+    });
+    const look = (z: number): [passes: number, whole: boolean] => {
+      passes = 0;
+      const view = viewFrom(1);
+      const frame = { ...view.frame, origin: [0, 0, 0] as Vec3, eye: [0, 0, z] as Vec3 };
+      const bounds = { center: [0, 0, 0] as Vec3, radius: Math.sqrt(0.75) };
+      levels.choose({ view: { ...view, frame } } as Frame, bounds);
+      return [passes, shown.level === FIXED];
+    };
+    expect(look(1.09)).toEqual([1, true]); // counts the round shapes
+    expect(look(0.6)).toEqual([1, false]);
+    expect(look(1.08)).toEqual([1, true]);
+    expect(look(1.09)).toEqual([1, true]);
+    expect(look(1.09)).toEqual([0, true]);
+    levels.changed();
+    expect(look(1.09)).toEqual([1, true]);
   });
 });

@@ -1,6 +1,6 @@
 // How many segments a round shape needs in a view, and how a flat one that is large for the eye's
 // distance is cut.
-import { stretch } from '../../geometry/bounds.js';
+import { type Extent, stretch } from '../../geometry/bounds.js';
 import type { Frustum } from '../../geometry/frustum-clip.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Cut, CutName } from './cut-faces.js';
@@ -42,6 +42,16 @@ export function isLargeFor(view: Frustum, name: GeometryName, m: readonly number
   if (isFar(view, m)) return false;
   measureFrom(view, name, m);
   return measured.longest > LARGE * measured.distance;
+}
+
+/** Whether none of the flat shapes inside these bounds can be {@link LARGE} for the eye. */
+export function hasNoLarge({ frame: { origin, eye } }: Frustum, bounds: Extent['bounds']): boolean {
+  if (bounds === null) return true;
+  const { center, radius } = bounds;
+  const x = origin[0] + eye[0] - center[0];
+  const y = origin[1] + eye[1] - center[1];
+  const z = origin[2] + eye[2] - center[2];
+  return LARGE * (Math.sqrt(x * x + y * y + z * z) - radius) > 2 * radius;
 }
 
 /**

@@ -2,11 +2,13 @@
 // are large for the eye's distance. Camera, transforms and size alone decide: the same scene
 // has the same triangles.
 import type { Mesh } from 'three';
+import type { Bounds } from '../../../phong/camera/fit.js';
 import type { Shading } from '../../../phong/material/material-values.js';
 import type { Frustum } from '../../../phong/geometry/frustum-clip.js';
 import { keyOfCut, MOST_CUT_TRIANGLES } from '../../../phong/model/shapes/cut-faces.js';
 import {
   cutFor,
+  hasNoLarge,
   isLargeFor,
   levelIn,
   reducedLevelIn,
@@ -57,6 +59,10 @@ export class Levels {
   readonly #picture: LevelledPicture;
   /** Chooses together with other pictures; null: alone. */
   shared: SharedLevels | null = null;
+  /** Round shapes; null after a change of the meshes. */
+  #round: number | null = null;
+  /** All shapes are flat, and shown whole. */
+  #areWhole = true;
 
   constructor(picture: LevelledPicture) {
     this.#picture = picture;
@@ -74,15 +80,22 @@ export class Levels {
     return false;
   }
 
-  /** Chooses for a frame whose world matrices are up to date; builds and shows what is chosen. */
-  choose(frame: Frame): void {
+  /** Meshes show other contents. */
+  changed(): void {
+    this.#round = null;
+  }
+
+  /**
+   * Chooses for a frame whose world matrices are up to date; builds and shows what is chosen.
+   * `bounds`: all meshes are inside. Far from thousands of boxes it looks at none.
+   */
+  choose(frame: Frame, bounds: Bounds | null): void {
+    this.#round ??= [...this.#picture.meshes].filter(({ shown }) => isRound(shown.auto)).length;
+    const count = this.#round;
+    const wereWhole = this.#areWhole;
+    this.#areWhole = count === 0 && hasNoLarge(frame.view, bounds);
+    if (wereWhole && this.#areWhole) return;
     const isFixed = this.shared?.isFixed ?? false;
-    let count = 0;
-    for (const { shown } of this.#picture.meshes) {
-      if (isRound(shown.auto)) {
-        count += 1;
-      }
-    }
     for (const { shown } of this.#picture.meshes) {
       const { auto } = shown;
       if (auto === null) continue;
