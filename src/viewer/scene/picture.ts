@@ -15,7 +15,10 @@ import type { LightSet } from '../../phong/light/light-set.js';
 import { PhongLighting } from '../../phong/material/lighting.js';
 import type { ShadingStyle } from '../../phong/material/material-values.js';
 import type { PictureView } from '../../phong/material/views.js';
+import { FieldStore } from '../../phong/fields/field-store.js';
 import { Budget } from '../../phong/model/budget.js';
+import { MESH_FIELDS } from '../../phong/model/mesh-fields.js';
+import { NO_CONTENT } from '../../phong/model/model.js';
 import { fasterCode, lazyCode } from '../../phong/lazy-code.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from '../../phong/geometry/bounds.js';
@@ -26,6 +29,7 @@ import { Levels } from './mesh/levels.js';
 import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
+import { ShownContent } from './mesh/shown-content.js';
 import {
   copyFrame,
   drawnObjects,
@@ -52,6 +56,7 @@ export class Picture {
   readonly levels = new Levels(this);
   readonly fit = new AutoFit(this);
   readonly frame = new Frame(this.orbit);
+  readonly nothing: ShownContent;
   readonly #meshes = new Set<SceneMesh>();
   readonly #changed: () => void;
   readonly #fitted: () => void;
@@ -71,6 +76,7 @@ export class Picture {
     this.lighting = new PhongLighting(lights);
     lights.changed.listen(() => this.invalidate(true));
     this.materials = new SharedMaterials(this.lighting);
+    this.nothing = new ShownContent(NO_CONTENT, null, null, new FieldStore(MESH_FIELDS), this);
     this.#changed = changed;
     this.#fitted = fitted;
     this.scene.matrixWorldAutoUpdate = false; // `make` updates matrices, before it measures

@@ -49,7 +49,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    signals.unproven = () => [...this.#undrawn].some(({ complete }) => complete === 'model');
+    signals.unproven = () => [...this.#undrawn].some(({ shown }) => shown.url !== null);
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near, painted }) => {
@@ -59,7 +59,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       if (!isFirst) return;
       // Those that waited. An update of the others would count as a change of the picture.
       for (const mesh of this.#meshes()) {
-        if (mesh.complete === null) {
+        if (mesh.values.src !== '' && mesh.complete === null) {
           mesh.update();
         }
       }

@@ -5,7 +5,7 @@ import type { Shading } from '../../../phong/material/material-values.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import type { Budget, Claim, Need } from '../../../phong/model/budget.js';
 import { isOutOfMemory } from '../../../phong/model/limits.js';
-import { type Content, ModelError, NO_CONTENT } from '../../../phong/model/model.js';
+import { type Content, ModelError } from '../../../phong/model/model.js';
 import { modelCode } from '../../model/request-model.js';
 import { type Animations, measureReach } from './animation.js';
 import { ContentLoad, type LoadHost } from './content-load.js';
@@ -19,6 +19,8 @@ import { type ContentPicture, needsOf, ShownContent } from './shown-content.js';
 export interface MeshPicture extends ContentPicture {
   readonly budget: Budget;
   readonly animations: Animations;
+  /** What each mesh shows at first. */
+  readonly nothing: ShownContent;
   /** Another version is to be drawn. */
   invalidate(): void;
 }
@@ -52,7 +54,7 @@ export class SceneMesh {
   constructor(state: MeshState, host: MeshHost) {
     this.#state = state;
     this.#host = host;
-    this.#shown = this.#empty();
+    this.#shown = host.picture.nothing;
     this.load = new ContentLoad<SceneMesh>(this, host);
   }
 
@@ -130,7 +132,7 @@ export class SceneMesh {
   /** The present content could not be drawn: goes back to what was shown before. */
   revert(error: unknown): void {
     const failed = this.#shown;
-    this.#replace(this.#before ?? this.#empty());
+    this.#replace(this.#before ?? this.#host.picture.nothing);
     this.#before = null;
     this.#shown.animation?.pose();
     failed.free();
@@ -149,7 +151,7 @@ export class SceneMesh {
     this.#host.removed(this);
     this.#parent = null;
     const before = this.#shown;
-    this.#replace(this.#empty());
+    this.#replace(this.#host.picture.nothing);
     before.free();
     this.drawn(); // nothing goes back to what was shown before that
   }
@@ -196,10 +198,6 @@ export class SceneMesh {
     for (const material of this.#held.splice(0)) {
       this.#host.picture.materials.release(material);
     }
-  }
-
-  #empty(): ShownContent {
-    return new ShownContent(NO_CONTENT, null, null, this.#state, this.#host.picture);
   }
 
   /** Replaces what is shown. Call {@link #settle} next. */
