@@ -128,3 +128,27 @@ it('thousands of buffers in base64 are found by their keys', async () => {
   expect(parts).toHaveLength(buffers.length);
   expect(visits).toBeLessThan(20 * buffers.length);
 });
+
+it('no long text is searched, and no long view copied, in one piece', async () => {
+  const size = 2 ** 22;
+  /** Bytes of each search and each copy. */
+  const lengths: number[] = [];
+  const proto = Uint8Array.prototype;
+  const { indexOf, set } = proto;
+  vi.spyOn(proto, 'indexOf').mockImplementation(function (this: Uint8Array, byte, from = 0) {
+    lengths.push(this.length - from);
+    return indexOf.call(this, byte, from);
+  });
+  vi.spyOn(proto, 'set').mockImplementation(function (this: Uint8Array, bytes, at) {
+    lengths.push(bytes.length);
+    set.call(this, bytes, at);
+  });
+  const uri = `data:;base64,${Buffer.alloc(size).toString('base64')}`;
+  const byteLength = size;
+  const more = { buffers: [{ byteLength, uri }], bufferViews: [{ buffer: 0, byteLength }] };
+  const file = new TextEncoder().encode(JSON.stringify(triangleDocument(more)));
+  expect((await loadFiles({ 'a.gltf': file })).parts).toHaveLength(1);
+  vi.restoreAllMocks();
+  const long = lengths.filter((length) => length >= size);
+  expect(long, 'what Node reads of a file').toEqual([file.length]);
+});

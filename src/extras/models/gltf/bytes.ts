@@ -66,16 +66,12 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
       requireAtMost(copied, LIMITS.bytes, 'bytes once they are unpacked');
       const copy = new Uint8Array(size);
       const plain = meshopt ? await unpacked(bytes, meshopt) : bytes;
-      if (elements) {
-        const { offset, item, stride, count } = elements;
-        await new Slices(source.signal).over(count, (from, to) => {
-          for (let i = from; i < to; i += 1) {
-            copy.set(plain.subarray(offset + i * stride, offset + i * stride + item), i * item);
-          }
-        });
-      } else {
-        copy.set(plain);
-      }
+      const { offset, item, stride, count } = elements ?? { ...PIECES, count: whole / PIECES.item };
+      await new Slices(source.signal).over(count, (from, to) => {
+        for (let i = from; i < to; i += 1) {
+          copy.set(plain.subarray(offset + i * stride, offset + i * stride + item), i * item);
+        }
+      });
       return copy.buffer;
     },
     image: async (index: number): Promise<FileBytes> => {
@@ -93,6 +89,9 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     },
   };
 }
+
+/** Pieces of a view that is copied as it is: in one piece, 60 MB take 80 ms. The last is shorter. */
+const PIECES = { offset: 0, item: 512, stride: 512 };
 
 const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder');
 

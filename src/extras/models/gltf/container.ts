@@ -29,8 +29,7 @@ const CHUNK_HEADER = 8;
 /** Bytes between two looks at the clock. Strings are skipped by the engine's own search. */
 const STEP = 2 ** 18;
 
-const [QUOTE, BACKSLASH, COMMA] = [0x22, 0x5c, 0x2c];
-const [OPEN_LIST, OPEN_OBJECT] = [0x5b, 0x7b];
+const [QUOTE, BACKSLASH, COMMA, OPEN_LIST, OPEN_OBJECT] = [0x22, 0x5c, 0x2c, 0x5b, 0x7b];
 
 /** @param budget gets the values of the JSON. */
 export async function openContainer(
@@ -104,9 +103,9 @@ async function parseText(
       }
       continue;
     }
-    at = bytes.indexOf(QUOTE, at);
-    if (at < 0) break; // a text that ends in a string
-    if (isEscaped(bytes, at)) continue;
+    const found = bytes.subarray(at, at + STEP).indexOf(QUOTE);
+    at += found < 0 ? STEP - 1 : found;
+    if (found < 0 || isEscaped(bytes, at)) continue;
     const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
     if (cut !== null) {
       texts.push(bytes.subarray(from, start), new TextEncoder().encode(keyOf(cuts.length)));
