@@ -42,7 +42,7 @@ export class ConvergingPicture {
   /** Samples of the first batch: as many as the last run of this size ended with. */
   #pace = 1;
   #run: Run | null = null;
-  /** Not possible on this GPU, or not with this scene. */
+  /** Not possible on this GPU, or not with this scene, or too slow. */
   #failed = false;
 
   constructor(viewport: SampledViewport, wanted: number) {
@@ -210,6 +210,10 @@ export class ConvergingPicture {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
     if (sum.count < this.#wanted && batches.ended) {
+      if (batches.tooSlow) {
+        this.#fail();
+        return;
+      }
       sendBatch(batches, sum, this.#wanted, this.#viewport, tile, renderer, this.#viewport.picture);
     }
     const complete = sum.count === this.#wanted;

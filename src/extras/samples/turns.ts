@@ -68,10 +68,10 @@ export function seize(one: Taker): void {
 
 /** It needs no turn any more, or not now. */
 export function release(one: Taker): void {
-  const waited = waiting.delete(one);
-  if (active !== one && !waited) return;
   if (active === one) {
     active = null;
+  } else if (!waiting.delete(one)) {
+    return;
   }
   if (active !== null) return;
   const next = nextWaiting();

@@ -233,3 +233,36 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
     await session.detach();
   }
 });
+
+test('where one sample takes seconds, the plain picture stays, and a quicker one converges', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    const gpu = { isBusy: true, seen: 0, drawn: 0 };
+    const { now } = performance;
+    Object.assign(window, { gpu });
+    const { prototype } = WebGL2RenderingContext;
+    const { getSyncParameter, fenceSync } = prototype;
+    prototype.fenceSync = function (...given) {
+      gpu.drawn += 1;
+      return fenceSync.apply(this, given);
+    };
+    // It is seen running for ten seconds of this clock.
+    prototype.getSyncParameter = function (...given) {
+      if (!gpu.isBusy || gpu.seen === 20) return getSyncParameter.apply(this, given) as unknown;
+      gpu.seen += 1;
+      return this.UNSIGNALED;
+    };
+    performance.now = () => now.call(performance) + 500 * gpu.seen;
+  });
+  const viewer = await mount(viewerOf(64), size);
+  expect((await statsOf(viewer)).samples).toBe(0);
+  const gpu = await page.evaluateHandle(
+    () => Reflect.get(window, 'gpu') as Record<string, unknown>,
+  );
+  expect(await gpu.jsonValue(), 'one batch of one sample').toMatchObject({ drawn: 1 });
+  await gpu.evaluate((it) => (it['isBusy'] = false));
+  await set(viewer, { theta: 40 });
+  expect((await statsOf(viewer)).samples).toBe(64);
+});
