@@ -113,7 +113,7 @@ test.describe('a mouse over a viewer with a probe', () => {
 });
 
 test.describe('a click', () => {
-  test('pins the point, which stays in its place in the scene, until Escape', async ({
+  test('pins the point, which stays in its place in the scene, until Escape or without `probe`', async ({
     page,
     mount,
   }) => {
@@ -131,24 +131,17 @@ test.describe('a click', () => {
     await escape(page);
     await expect(box(viewer)).toBeHidden();
     await page.mouse.move(321, 220);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 321, 220));
-  });
-
-  test('pins the point, which stays where the viewer moves, and goes with `probe`', async ({
-    page,
-    mount,
-  }) => {
-    const viewer = await mount(scene());
-    await page.mouse.click(280, 130);
+    const shown = await expected(viewer, 321, 220);
+    await expect(codes(viewer)).toHaveText(shown);
+    await page.mouse.click(321, 220);
     await expect(box(viewer)).toHaveClass(/pinned/);
-    const pinned = await codes(viewer).textContent();
     await viewer.evaluate((element) => {
       const section = document.createElement('section');
       element.before(section);
       section.append(element);
     });
     await expect(box(viewer)).toHaveClass(/pinned/);
-    await expect(codes(viewer)).toHaveText(pinned!);
+    await expect(codes(viewer)).toHaveText(shown);
     await assign(viewer, { probe: false });
     await expect(box(viewer)).toHaveCount(0);
     await assign(viewer, { probe: true });
@@ -542,27 +535,6 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
   });
   expect(await changes).toBeGreaterThan(0);
   expect(await changes).toBeLessThan(10);
-});
-
-test('without `probe` none of its code is fetched; with it, one file, once', async ({
-  page,
-  mount,
-}) => {
-  const fetched: string[] = [];
-  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
-  const viewer = await mount(scene(''));
-  await page.mouse.move(280, 130);
-  await nextFrame(page);
-  expect(fetched.filter((path) => /probe|shade-at|overlay/.test(path))).toEqual([]);
-  for (const x of [281, 282]) {
-    await assign(viewer, { probe: true });
-    await expect(box(viewer)).toHaveCount(1);
-    await page.mouse.move(x, 130);
-    await expect(box(viewer)).toBeVisible();
-    await assign(viewer, { probe: false });
-    await expect(box(viewer)).toHaveCount(0);
-  }
-  expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
 });
 
 test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({

@@ -4,7 +4,7 @@ import type { Locator, Page } from '@playwright/test';
 import type { PhongProbe } from '../../../src/viewer/index.js';
 import { assign, type PhongViewer } from '../../element/support/viewer.js';
 import { axeOn } from '../../support/axe.js';
-import { expect, test } from '../../support/test.js';
+import { expect, type Mount, test } from '../../support/test.js';
 
 /** A floor below a lamp at 60 degrees, 2 away, seen from above. */
 const scene = (attributes = ''): string =>
@@ -49,50 +49,52 @@ test('shows the table, the equation or questions of the declared point, as `as` 
   await expect(element.getByRole('table'), 'corners have no equation here').toBeVisible();
 });
 
+/** A viewer with two probes: the formula that one shows, and the facts of the other's question. */
+async function mountTwo(page: Page, mount: Mount) {
+  const viewer = await mount(scene() + probe('as="formula"') + probe('as="ask"'), size);
+  const [formula, ask] = [0, 1].map((i) =>
+    line(page.locator('phong-probe').nth(i), 'lamp · diffuse'),
+  );
+  const facts = ask!.locator('.facts');
+  await expect(facts).toBeVisible();
+  return { viewer, shown: () => formulas(formula!), facts, asked: (await facts.textContent())! };
+}
+
 test('follows the mouse and a pin, questions the pin alone, and Escape takes the pin away', async ({
   page,
   mount,
 }) => {
-  const viewer = await mount(scene() + probe('as="formula"') + probe('as="ask"'), size);
-  const [formula, ask] = [page.locator('phong-probe').first(), page.locator('phong-probe').last()];
-  const shown = (element: Locator): Promise<string> => formulas(line(element, 'lamp · diffuse'));
-  const facts = (element: Locator): Promise<string | null> =>
-    line(element, 'lamp · diffuse').locator('.facts').textContent();
-  await expect(line(formula, 'lamp · diffuse')).toBeVisible();
-  const [first, asked] = [await shown(formula), await facts(ask)];
+  const { viewer, shown, facts, asked } = await mountTwo(page, mount);
+  const first = await shown();
   await page.mouse.move(165, 100);
-  await expect.poll(() => shown(formula)).not.toBe(first);
-  expect(await facts(ask)).toBe(asked);
+  await expect.poll(shown).not.toBe(first);
+  expect(await facts.textContent()).toBe(asked);
   await page.mouse.click(160, 92);
-  await expect.poll(() => facts(ask)).not.toBe(asked);
-  const pinned = await shown(formula);
+  await expect(facts).not.toHaveText(asked);
+  const pinned = await shown();
   await page.mouse.move(140, 105);
   await page.mouse.move(141, 105);
-  expect(await shown(formula)).toBe(pinned);
+  expect(await shown()).toBe(pinned);
   await viewer.press('Escape');
   await page.mouse.move(135, 106);
-  await expect.poll(() => shown(formula)).not.toBe(pinned);
+  await expect.poll(shown).not.toBe(pinned);
   await assign(viewer, { probe: true, probeAt: [0.1, 0, 0.1] });
   await page.mouse.move(500, 500);
-  await expect.poll(() => facts(ask)).not.toBe(asked);
+  await expect(facts).not.toHaveText(asked);
 });
 
 test('the arrow keys move its ring over the surface, for all probes of the viewer, and Escape lets go', async ({
   page,
   mount,
 }) => {
-  const viewer = await mount(scene() + probe('as="formula"') + probe('as="ask"'), size);
-  const [formula, ask] = [page.locator('phong-probe').first(), page.locator('phong-probe').last()];
-  const shown = (): Promise<string> => formulas(line(formula, 'lamp · diffuse'));
-  const facts = line(ask, 'lamp · diffuse').locator('.facts');
-  await expect(facts).toBeVisible();
-  const [first, asked] = [await shown(), await facts.textContent()];
+  const { viewer, shown, facts, asked } = await mountTwo(page, mount);
+  const first = await shown();
   const ring = viewer.getByRole('application', { name: 'Probe' });
   await expect(ring.and(page.locator('[tabindex="0"]')), 'one stop for both').toHaveCount(1);
   await ring.first().focus();
   await page.keyboard.press('Shift+ArrowRight');
   await expect.poll(shown).not.toBe(first);
-  await expect(facts).not.toHaveText(asked!);
+  await expect(facts).not.toHaveText(asked);
   const right = await shown();
   await page.keyboard.press('Shift+ArrowLeft');
   await expect.poll(shown).toBe(first);
