@@ -8,6 +8,7 @@ import {
   assign,
   cameraOf,
   drag,
+  holdBack,
   nextFrame,
   type PhongViewer,
   record,
@@ -45,12 +46,7 @@ test('the first picture, drawn once, has the first viewer’s camera, however la
   page,
   mount,
 }) => {
-  let send = (): void => undefined;
-  const sent = new Promise<void>((resolve) => (send = resolve));
-  await page.route(/\/camera-group-/, async (route) => {
-    await sent;
-    return route.continue();
-  });
+  const send = await holdBack(page, /\/camera-group-/);
   await mount(pair('theta="10" radius="5"', 'theta="80" phi="20"'), {
     ...size,
     waitForReady: false,

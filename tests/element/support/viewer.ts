@@ -103,6 +103,17 @@ export async function nextFrame(page: Page): Promise<void> {
   );
 }
 
+/** Keeps what is requested at these addresses from the page until the returned function is called. */
+export async function holdBack(page: Page, addresses: string | RegExp): Promise<() => void> {
+  let send = (): void => undefined;
+  const held = new Promise<void>((resolve) => (send = resolve));
+  await page.route(addresses, async (route) => {
+    await held;
+    await route.continue();
+  });
+  return send;
+}
+
 /** Waits for the viewer's `ready`. */
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);

@@ -11,7 +11,7 @@ import { outputFolder } from '../../../.ci/output-folder.mjs';
 import { bundleOf } from '../../package/bundle.js';
 import { Requests } from '../../package/requests.js';
 import { expect, test } from '../../support/test.js';
-import { cameraOf, type PhongViewer } from '../../element/support/viewer.js';
+import { cameraOf, holdBack, type PhongViewer } from '../../element/support/viewer.js';
 
 // The pointer rests in the corner.
 const css = 'body { margin: 60px } phong-viewer { display: block; width: 300px; height: 200px }';
@@ -32,15 +32,7 @@ const waitForPicture = (page: Page): Promise<unknown> =>
   page.waitForFunction(() => document.querySelector<PhongViewer>('phong-viewer')!.loaded);
 
 /** Keeps the elements from the page until the returned function is called. */
-async function holdElements(page: Page): Promise<() => void> {
-  let send = (): void => undefined;
-  const held = new Promise<void>((resolve) => (send = resolve));
-  await page.route(`**/${ELEMENTS}`, async (route) => {
-    await held;
-    await route.continue();
-  });
-  return send;
-}
+const holdElements = (page: Page): Promise<() => void> => holdBack(page, `**/${ELEMENTS}`);
 
 test('the file has at most 2 kB, and a page with ten figures fetches nothing else before a touch', async ({
   page,

@@ -6,7 +6,7 @@ import type { Locator } from '@playwright/test';
 import { firstOf } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
-import { assign } from '../../element/support/viewer.js';
+import { assign, holdBack } from '../../element/support/viewer.js';
 import { readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
 
 const scene = `<phong-viewer alt="A scene" geometry="box" gui>
@@ -181,12 +181,7 @@ test('the picture leaves the panel its place before its code is there, and is dr
   page,
   mount,
 }) => {
-  let send = (): void => undefined;
-  const sent = new Promise<void>((resolve) => (send = resolve));
-  await page.route(/\/panel-/, async (route) => {
-    await sent;
-    return route.continue();
-  });
+  const send = await holdBack(page, /\/panel-/);
   const viewer = (kind: string): string =>
     `<phong-viewer class="${kind}" alt="${kind}" geometry="box" gui></phong-viewer>`;
   const compared = `<phong-compare>${viewer('split')}<phong-viewer alt="B" geometry="box"></phong-viewer></phong-compare>`;
