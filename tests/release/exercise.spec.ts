@@ -2,8 +2,8 @@
 // with software GL: with their compilers, their drivers and their way to read floats back?
 import { expect, test } from '@playwright/test';
 import { RIGHT_ONES, WRONG_ONES } from '../extras/exercise/functions.js';
-import { startSite, strictPolicy, testMounts, type Site } from '../support/site.js';
-import { STARTS, type Tab } from './tabs.js';
+import { strictPolicy } from '../support/site.js';
+import { inEachBrowser, type Tab } from './tabs.js';
 
 const markup = `<phong-viewer id="v" alt="A torus under three lamps" geometry="torus" shininess="20">
   <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light>
@@ -39,43 +39,26 @@ const checkOf = (tab: Tab, source: string): Promise<string> =>
     return right ? 'right' : mistakes.join(' + ');
   }, source);
 
-for (const [name, start] of Object.entries(STARTS)) {
-  test.describe(`@release ${name}`, () => {
-    let site: Site | undefined;
-    let tab: Tab | undefined;
-
-    // One worker, and so one browser and one screen.
-    test.describe.configure({ mode: 'default', timeout: 900_000 });
-
-    test.beforeAll(async () => {
-      site = await startSite(testMounts);
-      tab = await start();
-      console.log(tab.browser);
-      await tab.open(
-        site.page(markup, {
-          csp: strictPolicy,
-          head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
-          css: 'phong-viewer { display: block; width: 150px; height: 100px }',
-        }),
-      );
+inEachBrowser(900_000, (open) => {
+  const openMarkup = (): Promise<Tab> =>
+    open(markup, {
+      csp: strictPolicy,
+      head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
+      css: 'phong-viewer { display: block; width: 150px; height: 100px }',
     });
 
-    test.afterAll(async () => {
-      await tab?.close();
-      await site?.close();
-    });
-
-    test('right functions are right, in every writing', async () => {
-      for (const [form, source] of Object.entries(RIGHT_ONES)) {
-        expect.soft(await checkOf(tab!, source), form).toBe('right');
-      }
-    });
-
-    test('one function of each mistake is named', async () => {
-      for (const [ids, forms] of Object.entries(WRONG_ONES)) {
-        const [[form, source] = ['', '']] = Object.entries(forms);
-        expect.soft(await checkOf(tab!, source), `${ids}, ${form}`).toBe(ids);
-      }
-    });
+  test('right functions are right, in every writing', async () => {
+    const tab = await openMarkup();
+    for (const [form, source] of Object.entries(RIGHT_ONES)) {
+      expect.soft(await checkOf(tab, source), form).toBe('right');
+    }
   });
-}
+
+  test('one function of each mistake is named', async () => {
+    const tab = await openMarkup();
+    for (const [ids, forms] of Object.entries(WRONG_ONES)) {
+      const [[form, source] = ['', '']] = Object.entries(forms);
+      expect.soft(await checkOf(tab, source), `${ids}, ${form}`).toBe(ids);
+    }
+  });
+});

@@ -1,8 +1,10 @@
 // One page in Firefox or in WebKitGTK, with real input: what the checks of browser-checks.ts need
 // of a browser. Positions are CSS pixels of the page.
+import { test } from '@playwright/test';
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { startWebkit } from '../../.ci/webkit.mjs';
 import type { PhongViewer } from '../../src/viewer/index.js';
+import { type PageOptions, type Site, startSite, testMounts } from '../support/site.js';
 
 type Place = readonly [x: number, y: number];
 
@@ -37,6 +39,37 @@ export const STARTS: Readonly<Record<string, () => Promise<Tab>>> = {
   Firefox: firefoxTab,
   WebKitGTK: webkitTab,
 };
+
+/**
+ * Declares tests for each of these browsers: one worker, and so one browser and one screen each.
+ * `open` shows a page in its tab.
+ */
+export function inEachBrowser(
+  timeout: number,
+  declare: (open: (markup: string, options: PageOptions) => Promise<Tab>) => void,
+): void {
+  for (const [name, start] of Object.entries(STARTS)) {
+    test.describe(`@release ${name}`, () => {
+      let site: Site | undefined;
+      let tab: Tab | undefined;
+      test.describe.configure({ mode: 'default', timeout });
+      test.beforeAll(async () => {
+        site = await startSite(testMounts);
+        tab = await start();
+        console.log(tab.browser);
+      });
+      test.afterAll(async () => {
+        await tab?.close();
+        await site?.close();
+      });
+      declare(async (markup, options) => {
+        if (site === undefined || tab === undefined) throw new Error(`${name} did not start`);
+        await tab.open(site.page(markup, options));
+        return tab;
+      });
+    });
+  }
+}
 
 async function firefoxTab(): Promise<Tab> {
   const { browser, close } = await startFirefox();
