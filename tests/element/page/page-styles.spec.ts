@@ -115,3 +115,31 @@ test('no inherited style of the page changes what lies over a picture, in a pane
     await style(name, '');
   }
 });
+
+test('a style sheet that resets all elements of the page leaves pictures in their boxes', async ({
+  page,
+  mount,
+}) => {
+  const box = '<phong-viewer geometry="box"></phong-viewer>';
+  await mount(
+    `<style>
+      * { all: unset }
+      div { display: block; height: 100px }
+      phong-viewer, phong-compare { display: block; width: 120px; height: 80px }
+    </style><div></div>${box}<phong-compare layout="side">${box}${box}</phong-compare>`,
+    { csp: '' },
+  );
+  await expect(page.locator('phong-compare canvas')).toHaveCount(2);
+  await nextFrame(page);
+  const boxes = await page.evaluate(() =>
+    Array.from(document.querySelectorAll('phong-viewer'), (viewer) => {
+      const [own, canvas] = [viewer, viewer.shadowRoot!.querySelector('canvas')!].map((element) => {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        return [x, y, width, height].map(Math.round).join(' ');
+      });
+      return { own, canvas };
+    }),
+  );
+  expect(boxes.map(({ canvas }) => canvas)).toEqual(boxes.map(({ own }) => own));
+  expect(boxes[0]!.own).toMatch(/ 120 80$/);
+});
