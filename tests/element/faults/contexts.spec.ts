@@ -86,7 +86,7 @@ test('a context lost at any call of the first picture is reported once and resto
   }, box);
   expect(calls).toBeGreaterThan(60);
   for (let call = 0; call < calls; call += call < 40 ? fullOr(1, 3) : fullOr(7, 21)) {
-    await page.evaluate(
+    const isLost = await page.evaluate(
       async ({ html, call }) => {
         document.body.replaceChildren();
         await new Promise((resolve) => setTimeout(resolve));
@@ -94,9 +94,19 @@ test('a context lost at any call of the first picture is reported once and resto
         document.body.innerHTML = html;
         const viewer = document.querySelector('phong-viewer')!;
         viewer.addEventListener('error', ({ detail }) => (viewer.title += detail.code));
+        await Promise.race([
+          viewer.ready,
+          new Promise((resolve) => viewer.addEventListener('error', resolve, { once: true })),
+        ]);
+        return window.faults.callsLeft === Infinity;
       },
       { html: box, call },
     );
+    // The number of calls that ask for a program's state varies a little.
+    if (!isLost) {
+      expect(call).toBeGreaterThan(0.95 * calls);
+      break;
+    }
     const viewer = page.locator('phong-viewer');
     await expect(viewer.locator('[part=notice]')).toContainText('context was lost');
     await expect(viewer, `call ${call}`).toHaveAttribute('title', 'context-lost');

@@ -15,8 +15,9 @@ import { nextFrame } from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90, css: 'phong-viewer { float: left }' };
 
-/** Console lines that faults cause. */
-const EXPECTED = /Failed to load resource|ERR_FAILED|could not be (fetched|loaded)/;
+/** Console lines that faults cause, and one of the sizes. */
+const EXPECTED =
+  /Failed to load resource|ERR_FAILED|could not be (fetched|loaded)|has the (width|height) 0/;
 
 class FaultPlayer {
   readonly #page: Page;

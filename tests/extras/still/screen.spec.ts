@@ -49,7 +49,10 @@ for (const [what, scenes, size, leastShare, mostRmse] of [
     for (const { name, markup } of scenes) {
       const { pixels: truth } = await still(markup, { ...size, base: site.origin, threads: 1 });
       const resting = markup.replace(/ auto-rotate="[^"]*"/, '');
-      await mount(resting.replace('<phong-viewer', '<phong-viewer loading="eager"'), size);
+      await mount(resting.replace('<phong-viewer', '<phong-viewer loading="eager"'), {
+        ...size,
+        csp: '', // the site's scenes have inline styles
+      });
       const { data } = await pixels(page.locator('phong-viewer').first(), {
         ...size,
         samples: 256,
