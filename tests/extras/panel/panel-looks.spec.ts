@@ -174,6 +174,21 @@ test('in rtl the picture stands to the right of the panel, and numbers keep thei
     await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
   }
   await expect(field(lamp, 'name')).toHaveCSS('direction', 'rtl');
+  // The eye: x left of y left of z.
+  const places = await viewer
+    .locator('.readout .lil-widget')
+    .first()
+    .evaluate((widget) => {
+      const text = document.createTreeWalker(widget, NodeFilter.SHOW_TEXT).nextNode() as Text;
+      return Array.from(text.data.matchAll(/[\d.]+/g), ({ index, 0: digits }) => {
+        const range = document.createRange();
+        range.setStart(text, index);
+        range.setEnd(text, index + digits.length);
+        return range.getBoundingClientRect().x;
+      });
+    });
+  expect(places).toHaveLength(3);
+  expect(places).toEqual([...places].sort((a, b) => a - b));
   await expectNothingCut(viewer);
 });
 
