@@ -51,8 +51,14 @@ interface Token {
 
 /** A function of the learner's, or a struct. */
 interface Body {
+  readonly name: string;
+  /** Types of the parameters; null of a struct. */
+  readonly types: readonly string[] | null;
   readonly tokens: readonly Token[];
   readonly line: number;
+  /** Index of its first token, and of that of its prototype, if it has one. */
+  readonly at: number;
+  readonly declaredAt: number;
 }
 
 interface Macro {
@@ -207,6 +213,9 @@ function listed(tokens: readonly Token[]): Token[][] {
   return parts;
 }
 
+const partsOf = (tokens: readonly Token[]): Token[][] =>
+  listed(tokens).filter(({ length }) => length > 0);
+
 /** Constants in place of their names, but for a name that is declared twice. */
 function withConstants(tokens: readonly Token[]): Token[] {
   const isDeclared = (i: number): boolean =>
@@ -231,38 +240,44 @@ const WRITERS = /^(out|inout|modf|frexp|\w+(Carry|Borrow|Extended))$/;
 
 class Reading {
   readonly #tokens: readonly Token[];
-  readonly #bodies = new Map<string, Body[]>();
-  readonly #needs = new Map<string, Needs | null>();
+  readonly #bodies: readonly Body[];
+  readonly #needs = new Map<Body, Needs | null>();
   /** Tokens that one stands for. */
   readonly #weight: number;
 
   constructor(tokens: readonly Token[]) {
     this.#tokens = tokens;
     this.#weight = tokens.some(({ text }) => /^mat\d/.test(text)) ? MATRIX : 1;
+    this.#match();
+    this.#bodies = this.#readBodies();
   }
 
   cost(): number {
-    this.#match();
-    const shades = this.#readFunctions();
-    if (!this.#bodies.has('shade')) {
+    const shades = this.#bodies.filter(({ name }) => name === 'shade');
+    if (shades.length === 0) {
       throw new Refused(
         'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).',
         null,
       );
     }
-    for (const [name, [body]] of this.#bodies) {
+    for (const body of this.#bodies) {
+      const { name, line } = body;
       if (/^(main|Light|Material)$/.test(name)) {
-        throw new Refused('Leave out {name}: it is there already.', body!.line, { name });
+        throw new Refused('Leave out {name}: it is there already.', line, { name });
       }
-      this.#needsOf(name);
+      this.#needsOf(body);
     }
-    if (!shades.includes('Light Material vec3 vec3 vec3')) {
+    const shade = shades.find(
+      ({ types, at }) =>
+        types?.join(' ') === 'Light Material vec3 vec3 vec3' && this.#tokens[at]!.text === 'vec3',
+    );
+    if (shade === undefined) {
       throw new Refused(
         'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).',
-        this.#bodies.get('shade')![0]!.line,
+        shades[0]!.line,
       );
     }
-    return this.#needsOf('shade').cost;
+    return this.#needsOf(shade).cost;
   }
 
   #match(): void {
@@ -279,51 +294,68 @@ class Reading {
     if (open.length > 0) throw new Refused(UNMATCHED, open.at(-1)!.line);
   }
 
-  /** Fills the bodies. Returns the types of the parameters of each `vec3 shade`. */
-  #readFunctions(): string[] {
+  #readBodies(): Body[] {
     const tokens = this.#tokens;
-    const shades: string[] = [];
+    const bodies: Body[] = [];
+    const declared = new Map<string, number>();
     for (let i = 0; i < tokens.length; i++) {
       const { text, line } = tokens[i]!;
       if (text !== '(' && text !== '{') continue;
       const close = closing(tokens, i);
-      const isFunction = text === '(' && tokens[close + 1]?.text === '{';
-      const [type = '', name = ''] = tokens.slice(Math.max(i - 2, 0), i).map((word) => word.text);
-      if (text === '(' && !isFunction) {
+      const at = Math.max(i - 2, 0);
+      const [type = '', name = ''] = tokens.slice(at, i).map((word) => word.text);
+      const types = text === '(' ? typesIn(tokens.slice(i + 1, close)) : null;
+      const key = [name, ...(types ?? [])].join(' ');
+      declared.set(key, declared.get(key) ?? at);
+      if (types !== null && tokens[close + 1]?.text !== '{') {
         i = close;
         continue;
       }
-      if (!isName(name) || (!isFunction && type !== 'struct')) throw new Refused(UNMATCHED, line);
-      const start = isFunction ? close + 1 : i;
+      if (!isName(name) || (types === null && type !== 'struct'))
+        throw new Refused(UNMATCHED, line);
+      const start = types === null ? i : close + 1;
       const end = closing(tokens, start);
-      const body = { tokens: tokens.slice(start + 1, end), line };
-      this.#bodies.set(name, [...(this.#bodies.get(name) ?? []), body]);
-      if (name === 'shade' && type === 'vec3') {
-        shades.push(typesIn(tokens.slice(i + 1, close)));
-      }
+      const declaredAt = declared.get(key)!;
+      bodies.push({ name, types, tokens: tokens.slice(start + 1, end), line, at, declaredAt });
       i = end;
     }
-    return shades;
+    return bodies;
   }
 
-  #needsOf(name: string): Needs {
-    const known = this.#needs.get(name);
-    const bodies = this.#bodies.get(name)!;
+  #needsOf(body: Body): Needs {
+    const { name, line } = body;
+    const known = this.#needs.get(body);
     if (known === null) {
-      throw new Refused(
-        'A function calls itself: {name}. GLSL has no recursion.',
-        bodies[0]!.line,
-        { name },
-      );
+      throw new Refused('A function calls itself: {name}. GLSL has no recursion.', line, { name });
     }
     if (known !== undefined) return known;
-    this.#needs.set(name, null);
-    const needs = this.#needsIn(bodies.flatMap(({ tokens }) => tokens));
-    this.#needs.set(name, needs);
+    this.#needs.set(body, null);
+    const needs = this.#needsIn(body, body.tokens);
+    this.#needs.set(body, needs);
     return needs;
   }
 
-  #needsIn(tokens: readonly Token[]): Needs {
+  /**
+   * What a word of `caller` may call: functions that are declared before it and have as many
+   * parameters. An overload that calls its name means another one, if there is one: where it means
+   * itself all compilers refuse it.
+   */
+  #calledBy(caller: Body, tokens: readonly Token[], i: number): readonly Body[] {
+    const { text } = tokens[i]!;
+    if (tokens[i - 1]?.text === '.') return [];
+    const named = this.#bodies.filter(
+      ({ name, declaredAt }) => name === text && declaredAt <= caller.at,
+    );
+    if (named.length === 0) return named;
+    const args =
+      tokens[i + 1]?.text === '('
+        ? partsOf(tokens.slice(i + 2, closing(tokens, i + 1))).length
+        : -1;
+    const called = named.filter(({ types }) => types === null || types.length === args);
+    return called.length > 1 ? called.filter((body) => body !== caller) : called;
+  }
+
+  #needsIn(caller: Body, tokens: readonly Token[]): Needs {
     let turns = 1;
     let cost = 0;
     let code = 0;
@@ -348,10 +380,12 @@ class Reading {
         const body = tokens.slice(close + 1, end + 1);
         const times = this.#turns(tokens.slice(i + 2, close), body);
         if (times === null) throw new Refused(LOOP, line);
-        plus(this.#needsIn(body), line, Math.max(times, 1));
+        plus(this.#needsIn(caller, body), line, Math.max(times, 1));
         i = end;
-      } else if (this.#bodies.has(text) && tokens[i - 1]?.text !== '.') {
-        plus(this.#needsOf(text), line);
+      } else {
+        const all = this.#calledBy(caller, tokens, i).map((body) => this.#needsOf(body));
+        const most = (of: keyof Needs): number => Math.max(...all.map((needs) => needs[of]), 0);
+        plus({ turns: most('turns'), cost: most('cost'), code: most('code') }, line);
       }
     }
     return { turns, cost, code };
@@ -401,17 +435,15 @@ class Reading {
   }
 }
 
-function typesIn(parameters: readonly Token[]): string {
-  const words = parameters.filter(({ text }) => !/^(in|const|highp|mediump|lowp)$/.test(text));
-  return listed(words)
-    .map((part) =>
+/** Of parameters, with or without names. */
+const typesIn = (parameters: readonly Token[]): string[] =>
+  partsOf(parameters.filter(({ text }) => !/^(in|const|highp|mediump|lowp|void)$/.test(text))).map(
+    (part) =>
       part
-        .slice(0, -1)
+        .slice(0, /out$/.test(part[0]!.text) ? 2 : 1)
         .map(({ text }) => text)
         .join(' '),
-    )
-    .join(' ');
-}
+  );
 
 /** The number that the tokens are; null where they are none. */
 function numberIn(tokens: readonly Token[]): number | null {

@@ -130,6 +130,18 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
 // Iluminação de Phong: a cor de um ponto, com a luz «light»
 const lowp float UM = 1.0;
 ${changed([DIFFUSE, 'max(NoL, UM - 1.0)'])}`,
+  'with overloads and names used twice': `float lobe(float x, float e) { return x > 0.0 ? pow(x, e) : 0.0; }
+float lobe(vec3 N, vec3 L, vec3 V, float e) {
+  float lobe = dot(N, L) > 0.0 ? lobe(dot(reflect(-L, N), V), e) : 0.0;
+  return lobe;
+}
+float positive(float x);
+vec3 positive(vec3 x) { return vec3(positive(x.x), positive(x.y), positive(x.z)); }
+float positive(float x) { return max(x, 0.0); }
+${changed(
+  [`pow(max(dot(R, V), 0.0), m.shininess)`, 'lobe(N, L, V, m.shininess)'],
+  ['m.kd * light.diffuse * max(NoL, 0.0)', 'positive(m.kd * light.diffuse * NoL)'],
+)}`,
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 
@@ -376,6 +388,24 @@ export const REFUSED_ONES: Readonly<Record<string, readonly [source: string, rea
   'two that call each other': [
     `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
     'A function calls itself',
+  ],
+  'overloads that call each other': [
+    `float f(vec2 x); float f(float x) { return f(vec2(x)); } float f(vec2 x) { return f(x.x); } ${HEAD} return vec3(f(1.0)); }`,
+    'A function calls itself',
+  ],
+  'recursion behind a macro and a prototype': [
+    `#define G f
+float f(float x, float y); float f(float x) { return G(x, x); } float f(float x, float y) { return G(x); } ${HEAD} return vec3(f(1.0)); }`,
+    'A function calls itself',
+  ],
+  'an overload that calls itself': [
+    `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
+    'Line 1: ',
+  ],
+  'loops in an overload that is declared first': [
+    `float f(vec2 x); float f(float x) { float s = x; for (int i = 0; i < 200; i++) { s += f(vec2(s)); } return s; }
+float f(vec2 x) { float s = 0.0; for (int i = 0; i < 200; i++) { s += x.x; } return s; } ${HEAD} return vec3(f(1.0)); }`,
+    'Loops inside each other may run 10,000 times',
   ],
   'an endless loop': [`${HEAD} for (;;) {} return p; }`, 'A loop must be a for'],
   while: [`${HEAD} while (true) {} return p; }`, 'A loop must be a for'],
