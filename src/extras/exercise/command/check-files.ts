@@ -1,9 +1,7 @@
 // `npx phong-viewer check PAGE FILES`: runs learners' functions in the exercise of a page, with the
 // installed Playwright and its browser, one page for all.
-import { existsSync, readFileSync } from 'node:fs';
-import { createServer, type Server } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { basename, dirname, extname, relative, resolve, sep } from 'node:path';
+import { existsSync, readFileSync, statSync } from 'node:fs';
+import { dirname, relative, resolve, sep } from 'node:path';
 import { parseArgs } from 'node:util';
 import type { Browser, Page } from '@playwright/test';
 
@@ -66,10 +64,9 @@ async function checkFiles(args: readonly string[]): Promise<number> {
     if (!existsSync(file)) throw new Error(`There is no file ${file}.`);
   }
   const browser = await launch(values.browser);
-  const { server, address } = await serve(page);
   let isWell = true;
   try {
-    let open = await openPage(browser, address, values.exercise);
+    let open = await openPage(browser, page, values.exercise);
     if (values.csv) {
       say('file,right,mistakes,share,x,y,found,exact,fault');
     }
@@ -81,14 +78,13 @@ async function checkFiles(args: readonly string[]): Promise<number> {
         // A function may take the page with it.
         result = { ...NOTHING, fault: 'the page did not answer' };
         await open.close();
-        open = await openPage(browser, address, values.exercise);
+        open = await openPage(browser, page, values.exercise);
       }
       isWell &&= result.right;
       say(values.csv ? csvLine(file, result) : line(file, result));
     }
   } finally {
     await browser.close();
-    server.close();
   }
   return isWell ? 0 : 1;
 }
@@ -107,9 +103,22 @@ async function launch(executablePath: string | undefined): Promise<Browser> {
   });
 }
 
-async function openPage(browser: Browser, address: string, id: string | undefined): Promise<Page> {
+/** Of the page and what lies beside and below: modules do not load from disk. */
+const ORIGIN = 'http://localhost';
+
+const QUIET = { throwIfNoEntry: false } as const;
+
+async function openPage(browser: Browser, file: string, id: string | undefined): Promise<Page> {
+  const root = resolve(file).startsWith(resolve() + sep) ? resolve() : dirname(resolve(file));
   const page = await browser.newPage();
-  await page.goto(address);
+  await page.route(`${ORIGIN}/**`, async (route) => {
+    const { pathname } = new URL(route.request().url());
+    const path = resolve(root, `.${decodeURIComponent(pathname)}`);
+    const isFile = path.startsWith(root + sep) && statSync(path, QUIET)?.isFile() === true;
+    await route.fulfill(isFile ? { path } : { status: 404 });
+  });
+  const address = relative(root, file).split(sep).map(encodeURIComponent).join('/');
+  await page.goto(`${ORIGIN}/${address}`);
   const exercise = page.locator(selectorOf(id)).first();
   try {
     await exercise.getByRole('textbox').waitFor({ timeout: 20_000 });
@@ -143,39 +152,28 @@ async function runInPage(element: Element, source: string): Promise<Result> {
   const { right, mistakes, share } = (await checked).detail;
   // The sentences follow the event.
   await new Promise((resolve) => setTimeout(resolve));
-  const faults = root.querySelector('#faults')!.textContent.replace(/\s+/g, ' ').trim();
-  const isJudged = root.querySelector('.verdict strong') !== null;
-  const said = root.querySelector('.verdict')!.textContent.replace(/\s+/g, ' ').trim();
-  const pixels = (name: string): ImageData | null => {
-    const canvas = root.querySelector<HTMLCanvasElement>(`#${name}`);
-    return canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? null;
-  };
-  const own = pixels('own');
-  const exact = pixels('exact');
-  const colorAt = ({ data }: ImageData, i: number): string =>
-    Array.from(data.slice(4 * i, 4 * i + 3)).join(' ');
+  const fault = root.querySelector('#faults')!.textContent.replace(/\s+/g, ' ').trim();
+  const [own, exact] = ['#own', '#exact'].map((canvas) => {
+    const found = root.querySelector<HTMLCanvasElement>(canvas);
+    return found?.getContext('2d')?.getImageData(0, 0, found.width, found.height);
+  });
   let pixel: Result['pixel'] = null;
-  for (let i = 0; own !== null && exact !== null && isJudged && i < own.width * own.height; i++) {
-    const isWrong = [0, 1, 2].some(
-      (k) => Math.abs(own.data[4 * i + k]! - exact.data[4 * i + k]!) > 1,
-    );
-    if (isWrong) {
-      pixel = [i % own.width, Math.floor(i / own.width), colorAt(own, i), colorAt(exact, i)];
-      break;
+  for (let i = 0; fault === '' && own && exact && pixel === null && i < own.data.length; i += 4) {
+    const [found, asked] = [own, exact].map(({ data }) => Array.from(data.slice(i, i + 3)));
+    if (found!.some((code, k) => Math.abs(code - asked![k]!) > 1)) {
+      const at = i / 4;
+      pixel = [at % own.width, Math.floor(at / own.width), found!.join(' '), asked!.join(' ')];
     }
   }
-  return { right, mistakes, share, fault: faults || (isJudged ? '' : said), pixel };
+  return { right, mistakes, share, fault, pixel };
 }
 
 function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
   if (fault !== '') return `${file}: ${fault}`;
   const [x, y, found, exact] = pixel ?? [];
-  const where =
-    pixel === null
-      ? ''
-      : `; pixel ${String(x)}, ${String(y)}: ${String(found)} for ${String(exact)}`;
+  const where = right || pixel === null ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
   const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
-  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${right ? '' : where}`;
+  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where}`;
 }
 
 function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
@@ -189,40 +187,4 @@ function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result)
       return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
     })
     .join(',');
-}
-
-const TYPES: Readonly<Record<string, string>> = {
-  '.html': 'text/html',
-  '.js': 'text/javascript',
-  '.mjs': 'text/javascript',
-  '.css': 'text/css',
-  '.json': 'application/json',
-  '.svg': 'image/svg+xml',
-};
-
-/** The page and what lies beside and below: modules do not load from disk. */
-async function serve(page: string): Promise<{ readonly server: Server; readonly address: string }> {
-  const inside = relative(process.cwd(), resolve(page));
-  const isInside = !inside.startsWith('..') && resolve(inside) === resolve(page);
-  const root = isInside ? process.cwd() : dirname(resolve(page));
-  const path = isInside ? inside.split(sep).map(encodeURIComponent).join('/') : basename(page);
-  const server = createServer((request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    const file = resolve(root, `.${decodeURIComponent(pathname)}`);
-    try {
-      if (!file.startsWith(root + sep)) throw new Error('outside');
-      const body = readFileSync(file);
-      response.writeHead(200, {
-        'content-type': TYPES[extname(file)] ?? 'application/octet-stream',
-      });
-      response.end(body);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  await new Promise<void>((resolved) => {
-    server.listen(0, '127.0.0.1', resolved);
-  });
-  const { port } = server.address() as AddressInfo;
-  return { server, address: `http://127.0.0.1:${String(port)}/${path}` };
 }
