@@ -1,8 +1,8 @@
 // One run of a learner's function: at the sheet, at the picture, and what the colours say.
 import { type Term, TERMS } from '../../phong/light/light-state.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { clamp, type Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
-import { checked, type Fault } from './guard.js';
+import { checked, type Fault, faultOf } from './guard.js';
 import {
   type Case,
   colorAt,
@@ -14,9 +14,12 @@ import {
   type Judged,
   mistakesIn,
   STEP,
+  type Work,
 } from '../../phong/mistakes/judge.js';
+import { type Images, imagesOf } from './paint.js';
 import type { PicturePoints } from './picture.js';
-import { LostError, type Message, NoContextError, Program } from './program.js';
+import { NoContextError, Program } from './program.js';
+import { sliced } from './sliced.js';
 import {
   only,
   type SceneName,
@@ -25,15 +28,6 @@ import {
   type SheetPoint,
   type Task,
 } from '../../phong/mistakes/sheet.js';
-
-/** Why there is no verdict. */
-export type Stop = 'slow' | 'lost' | 'no-webgl2';
-
-export interface Failure {
-  readonly fault?: Fault;
-  readonly messages?: readonly Message[];
-  readonly stop?: Stop;
-}
 
 export interface Verdict {
   readonly right: boolean;
@@ -44,13 +38,15 @@ export interface Verdict {
   readonly pixels: number;
   /** At which the result is not a number. */
   readonly undefinedPixels: number;
+  /** Empty where it is not one term alone, or not known. */
+  readonly terms: readonly Term[];
   readonly difference: Difference;
   /** The pixel where it shows best; null where none is wrong. */
   readonly worst: { readonly x: number; readonly y: number; found: Vec3; exact: Vec3 } | null;
   /** A scene of the sheet that shows it, where the picture does not. */
   readonly scene: SceneName | null;
-  /** Colours of the picture's points, three numbers each. */
-  readonly colors: Float32Array;
+  readonly images: Images | null;
+  readonly isGouraud: boolean;
 }
 
 /** Points of each scene: all of a scene in one tile, with those of single terms. */
@@ -62,82 +58,83 @@ const ALONE = 30;
 /** Points of the picture that a mistake has to explain. */
 const MOST_PICTURE = 300;
 
+const SLOW = [faultOf('The function takes too long: drawing stopped after two seconds.')];
+const LOST = [faultOf('The graphics driver has stopped. The next run starts anew.')];
+
+/** A verdict, or why there is none. Throws the signal's reason after an abort. */
 export async function check(
   source: string,
   task: Task,
   picture: PicturePoints | null,
-): Promise<Verdict | Failure> {
+  signal: AbortSignal,
+): Promise<Verdict | readonly Fault[]> {
   const reading = checked(source);
-  if ('fault' in reading) return reading;
+  if ('fault' in reading) return [reading.fault];
   let program: Program | undefined;
   try {
-    program = new Program(reading.glsl, reading.cost);
-    if (program.messages.length > 0) return { messages: program.messages };
-    return await verdictOf(program, task, picture);
+    program = new Program();
+    const messages = program.build(reading.glsl);
+    if (program.isLost) return LOST;
+    if (messages.length > 0) return messages;
+    const points = sheetOf(task, COUNT);
+    const few = points.filter((_, i) => i % COUNT < ALONE);
+    const parts = [
+      points.map(({ given }) => [given]),
+      ...TERMS.map((term) => litBy(term, few)),
+      picture?.cases ?? [],
+    ];
+    const colors = await program.run(parts.flat(), signal);
+    if (program.isLost) return LOST;
+    if (colors === null) return SLOW;
+    return await sliced(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
-    if (error instanceof LostError) return { stop: 'lost' };
-    if (error instanceof NoContextError) return { stop: 'no-webgl2' };
+    if (program?.isLost === true) return LOST;
+    if (error instanceof NoContextError) return [faultOf('An exercise needs WebGL 2.')];
     throw error;
   } finally {
     program?.dispose();
   }
 }
 
-async function verdictOf(
-  program: Program,
-  task: Task,
-  picture: PicturePoints | null,
-): Promise<Verdict | Failure> {
-  const points = sheetOf(task, COUNT);
-  const few = points.filter((_, i) => i % COUNT < ALONE);
-  const parts: Readonly<Record<Term | 'all', readonly Case[]>> = {
-    all: points.map(({ given }) => [given]),
-    ambient: litBy('ambient', few),
-    diffuse: litBy('diffuse', few),
-    specular: litBy('specular', few),
-  };
-  const cases = [...parts.all, ...parts.ambient, ...parts.diffuse, ...parts.specular];
-  const sheet = await program.run(cases, 64);
-  if (sheet.done < cases.length) return { stop: 'slow' };
-  let from = 0;
-  const judgedPart = (part: readonly Case[]): Judged => {
-    const colors = sheet.colors.subarray(3 * from, 3 * (from += part.length));
-    return compare(part, colors, true);
-  };
-  const all = judgedPart(parts.all);
-  const alone = Object.fromEntries(TERMS.map((term) => [term, judgedPart(parts[term])])) as Record<
-    Term,
-    Judged
-  >;
-  const drawn = picture === null ? null : await program.run(picture.cases, 256);
-  if (picture !== null && drawn!.done < picture.cases.length) return { stop: 'slow' };
-  const colors = drawn?.colors ?? new Float32Array(0);
-  const shown = compare(picture?.cases ?? [], colors);
-  const right = isRight(all) && isRight(shown);
-  const mistakes = right ? [] : mistakesIn([all, sampleOf(shown)]);
-  const of = picture === null ? all : shown;
-  return {
-    right,
-    mistakes,
-    share: of.count === 0 ? 0 : 1 - of.wrong.length / of.count,
-    rightPixels: shown.count - shown.wrong.length,
-    pixels: shown.count,
-    undefinedPixels: shown.wrong.filter((i) => colorAt(colors, i).some(Number.isNaN)).length,
-    difference: differenceOf(all.wrong.length > 0 ? all : shown, alone),
-    worst: picture === null ? null : worstOf(shown, picture),
-    scene: isRight(shown) && !right ? sceneOf(all, points) : null,
-    colors,
-  };
-}
-
 const litBy = (term: Term, points: readonly SheetPoint[]): Case[] =>
   points.map(({ given }) => [{ ...given, light: only([term], given.light) }]);
 
-/** Wrong points of the picture, and others. */
-function sampleOf({ cases, colors, wrong }: Judged): Judged {
-  const isWrong = new Set(wrong);
-  const fine = Array.from(cases, (_, i) => i).filter((i) => !isWrong.has(i));
-  const kept = [wrong, fine].flatMap((list) => {
+/** `parts`: the sheet, the same lit by each term alone, and the picture. */
+function* verdictOf(
+  points: readonly SheetPoint[],
+  parts: readonly (readonly Case[])[],
+  colors: Float32Array,
+  picture: PicturePoints | null,
+): Work<Verdict> {
+  const judged: Judged[] = [];
+  let from = 0;
+  for (const [i, part] of parts.entries()) {
+    const found = colors.subarray(3 * from, 3 * (from += part.length));
+    judged.push(yield* compare(part, found, i <= TERMS.length));
+  }
+  const [all, shown] = [judged[0]!, judged.at(-1)!];
+  const right = isRight(all) && isRight(shown);
+  const sample = yield* sampleOf(shown);
+  const of = picture === null ? all : shown;
+  return {
+    right,
+    mistakes: right ? [] : yield* mistakesIn([all, sample]),
+    share: of.count === 0 ? 0 : 1 - of.wrong.length / of.count,
+    rightPixels: shown.count - shown.wrong.length,
+    pixels: shown.count,
+    undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
+    terms: TERMS.filter((_, i) => !isRight(judged[i + 1]!)),
+    difference: differenceOf(all.wrong.length > 0 ? all : sample),
+    worst: picture === null ? null : worstOf(shown, picture),
+    scene: isRight(shown) && !right ? sceneOf(all, points) : null,
+    images: picture === null ? null : yield* imagesOf(picture, shown.colors),
+    isGouraud: picture?.isGouraud === true,
+  };
+}
+
+/** Wrong points of the picture, and any. */
+function sampleOf({ cases, colors, wrong }: Judged): Work<Judged> {
+  const kept = [wrong, Array.from(cases.keys())].flatMap((list) => {
     const stride = Math.max(Math.ceil(list.length / MOST_PICTURE), 1);
     return list.filter((_, i) => i % stride === 0);
   });
@@ -148,10 +145,9 @@ function sampleOf({ cases, colors, wrong }: Judged): Judged {
 }
 
 /** The scene in which it shows at most points. */
-function sceneOf({ wrong }: Judged, points: readonly SheetPoint[]): SceneName | null {
+function sceneOf({ wrong }: Judged, points: readonly SheetPoint[]): SceneName {
   const count = (name: SceneName): number => wrong.filter((i) => points[i]!.scene === name).length;
-  const [first] = [...SCENE_NAMES].sort((a, b) => count(b) - count(a));
-  return first !== undefined && count(first) > 0 ? first : null;
+  return [...SCENE_NAMES].sort((a, b) => count(b) - count(a))[0]!;
 }
 
 function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verdict['worst'] {
@@ -174,4 +170,4 @@ function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verd
 const distance = (a: number, b: number): number =>
   Number.isNaN(b) ? 1 : Math.abs(shownValue(a) - shownValue(b));
 
-export const shownValue = (x: number): number => Math.min(Math.max(x, 0), 1);
+const shownValue = (x: number): number => clamp(x, 0, 1);

@@ -1,7 +1,7 @@
 // What a <phong-exercise> does: it shows an editor, runs the function when somebody presses *run*,
 // and says what the judge found. Loaded with the first one on a page.
 import { html, nothing, render, type TemplateResult } from 'lit';
-import { KINDS, type LightKind } from '../../phong/light/light-state.js';
+import { KINDS } from '../../phong/light/light-state.js';
 import {
   ExtraElement,
   hostOf,
@@ -11,34 +11,28 @@ import {
   type ViewerText,
   type ViewerTexts,
 } from '../../viewer/extra.js';
-import { check, type Failure, type Verdict } from './check.js';
+import { check, type Verdict } from './check.js';
 import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
 import styles from './exercise.css?inline';
 import { kindOf } from '../../phong/mistakes/judge.js';
+import { type Fault, faultOf } from './guard.js';
 import { paint } from './paint.js';
-import { type PicturePoints, pointsOf, underScene } from './picture.js';
+import { pointsOf, underScene } from './picture.js';
 import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
 import { GIVEN_GLSL, solutionFor, STARTING_GLSL } from './solution.js';
 import { sentencesFor } from './words.js';
 
-/** What a run has shown. */
-interface Shown {
-  readonly verdict: Verdict;
-  readonly picture: PicturePoints | null;
-}
-
 class Exercise extends ExtraElement<ExerciseValues> {
   /** What was written; null while it is the text to begin with. */
   #written: string | null = null;
-  #running = false;
+  /** Of the run that goes on. */
+  #running: AbortController | null = null;
   /** The viewer whose texts are followed. */
   #followed: PhongViewer | null = null;
-  /** Why there is no verdict. */
-  #failure: Failure | null = null;
-  /** Beside a failure of the run: of the page. */
-  #problem = '';
-  #shown: Shown | null = null;
-  #wasRight = false;
+  #faults: readonly Fault[] = [];
+  #shown: Verdict | null = null;
+  /** What a right function was asked for. */
+  #solved: Task | null = null;
 
   constructor(element: HTMLElement) {
     super(element, EXERCISE_FIELDS, [ExtraElement.block, styles]);
@@ -65,7 +59,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   protected override left(): void {
-    // What was written stays.
+    this.#stop();
   }
 
   protected override complain(): void {
@@ -77,6 +71,9 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   set value(text: string) {
+    if (text !== this.value) {
+      this.#stop();
+    }
     this.#written = text;
     this.#render();
   }
@@ -107,72 +104,79 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return phrase(texts, text as ViewerText, Object.fromEntries(words) as Record<string, string>);
   }
 
-  #task(lights: readonly LightKind[]): Task {
-    const { terms, kinds } = this.values;
-    const reflection = this.#viewer?.reflection ?? 'phong';
-    return { terms, kinds: kinds ?? KINDS.filter((kind) => lights.includes(kind)), reflection };
+  /** What was written stays. */
+  #stop(): void {
+    this.#running?.abort('stopped');
+    this.#running = null;
   }
 
   startAgain(): void {
+    this.#stop();
     this.#written = null;
-    this.#failure = null;
+    this.#faults = [];
     this.root.querySelector('textarea')!.value = this.#given;
     this.#render();
   }
 
   /** With `scene`: the picture under a lamp of the sheet. */
   async #run(scene: SceneName | null = null): Promise<void> {
-    if (this.#running) return;
-    this.#running = true;
-    this.#failure = null;
-    this.#problem = '';
+    if (this.#running !== null) return;
+    const running = new AbortController();
+    this.#running = running;
+    this.#faults = [];
     this.#render();
     try {
-      await this.#judge(this.value, scene);
+      const source = this.value;
+      this.#faults = await this.#judge(source, scene, running.signal);
+      if (scene === null) {
+        const verdict = this.#faults.length > 0 ? NO_VERDICT : this.#shown!;
+        const { right, mistakes, share } = verdict;
+        const detail = { right, mistakes, share, source };
+        this.element.dispatchEvent(new CustomEvent('check', { detail }));
+      }
+    } catch (error) {
+      if (!running.signal.aborted) throw error;
     } finally {
-      this.#running = false;
-      this.#render();
+      if (this.#running === running) {
+        this.#running = null;
+        this.#render();
+      }
     }
   }
 
-  async #judge(source: string, scene: SceneName | null): Promise<void> {
+  /** Sets what is shown; or says why there is no verdict. */
+  async #judge(
+    source: string,
+    scene: SceneName | null,
+    signal: AbortSignal,
+  ): Promise<readonly Fault[]> {
     const viewer = this.#viewer;
     if (viewer === null) {
-      this.#problem = this.#say('There is no phong-viewer with the id {id}.', {
-        id: JSON.stringify(this.values.for),
-      });
-      return;
+      const id = JSON.stringify(this.values.for);
+      return [faultOf('There is no phong-viewer with the id {id}.', { id })];
     }
     await viewer.ready;
     const snapshot = hostOf(viewer).snapshot();
-    const task = this.#task(kindsOf(snapshot.lights.map(({ values }) => values)));
-    const own = await pointsOf(snapshot, task);
-    const [exponent] = own?.exponents ?? [];
-    if (exponent !== undefined) {
-      this.#problem = this.#say(
-        'The exponent is {n} in this picture: an exercise needs 1 to 256.',
-        {
-          n: exponent,
-        },
-      );
-      return;
+    const { terms, kinds } = this.values;
+    const lit = snapshot.lights.flatMap(({ values }) => (values.active ? [kindOf(values)] : []));
+    const task = {
+      terms,
+      kinds: kinds ?? KINDS.filter((kind) => lit.includes(kind)),
+      reflection: viewer.reflection,
+    };
+    const own = await pointsOf(snapshot, task, signal);
+    const n = own?.exponent ?? null;
+    if (n !== null) {
+      return [faultOf('The exponent is {n} in this picture: an exercise needs 1 to 256.', { n })];
     }
-    const picture =
-      own === null || scene === null ? own : underScene(own, SCENES[scene], task.terms);
-    const result = await check(source, task, picture);
-    const isVerdict = 'right' in result;
-    if (isVerdict) {
-      this.#shown = { verdict: result, picture };
-      this.#wasRight ||= result.right;
-    } else {
-      this.#failure = result;
+    const picture = own === null || scene === null ? own : underScene(own, SCENES[scene], terms);
+    const result = await check(source, task, picture, signal);
+    if (!('right' in result)) return result;
+    this.#shown = result;
+    if (result.right) {
+      this.#solved = task;
     }
-    const { right, mistakes, share } = isVerdict ? result : NO_VERDICT;
-    if (scene === null) {
-      this.element.dispatchEvent(
-        new CustomEvent('check', { detail: { right, mistakes, share, source } }),
-      );
-    }
+    return [];
   }
 
   #render(): void {
@@ -187,15 +191,15 @@ class Exercise extends ExtraElement<ExerciseValues> {
       isMissing ? this.#say('Write the function first.') : '',
       area,
     );
-    if (this.#shown !== null) {
-      paint(this.root, this.#shown.verdict.colors, this.#shown.picture);
+    const { images = null } = this.#shown ?? {};
+    if (images !== null) {
+      paint(this.root, images);
     }
   }
 
   #template(value: string): TemplateResult {
     const lines = Math.min(value.split('\n').length, MOST_LINES);
-    const faults = this.#faults();
-    const bad = new Set(faults.map(({ line }) => line));
+    const bad = new Set(this.#faults.map(({ line }) => line));
     const help = this.#say(
       'The function returns the light of one lamp at one point. It is not clamped: the sum over the lamps is. Colours are from 0 to 1; angles are in degrees; p, normal and eye are in world space. normal and axis have any length but zero; position.w is 0 for a direction and 1 for a place; aperture is the angle from the axis to the edge of the cone, 180 without one; the exponent is from 1 to 256.',
     );
@@ -216,7 +220,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
             autocomplete="off"
             aria-describedby="faults"
             ?disabled=${this.element.matches(':disabled')}
-            aria-invalid=${faults.length > 0}
+            aria-invalid=${this.#faults.length > 0}
             .value=${value}
             @input=${this.#input}
             @keydown=${this.#key}
@@ -224,15 +228,15 @@ class Exercise extends ExtraElement<ExerciseValues> {
         </div>
         <pre class="printed">${value}</pre>
         <div id="faults" role="alert">
-          ${faults.map(
-            ({ line, text }) =>
-              html`<p>
-                ${line === null ? text : this.#say('Line {line}: {message}', { line, message: text })}
-              </p>`,
-          )}
+          ${this.#faults.map(({ text, values, line }) => {
+            const message = this.#say(text, values);
+            return html`<p>
+              ${line === null ? message : this.#say('Line {line}: {message}', { line, message })}
+            </p>`;
+          })}
         </div>
         <p class="buttons">
-          <button part="button" aria-disabled=${this.#running} @click=${() => this.#run()}>
+          <button part="button" aria-disabled=${this.#running !== null} @click=${() => this.#run()}>
             ${this.#say('Run')}
           </button>
           <button part="button" @click=${() => this.startAgain()}>
@@ -260,21 +264,11 @@ class Exercise extends ExtraElement<ExerciseValues> {
     }
   };
 
-  #faults(): readonly { readonly line: number | null; readonly text: string }[] {
-    const { fault, messages = [] } = this.#failure ?? {};
-    return fault === undefined
-      ? messages
-      : [{ line: fault.line, text: this.#say(fault.text, fault.values) }];
-  }
-
   #verdict(): TemplateResult | typeof nothing {
-    if (this.#running) return html`<p>${this.#say('Running …')}</p>`;
-    const { stop } = this.#failure ?? {};
-    const failed = stop === undefined ? this.#problem : this.#say(STOPS[stop]);
-    if (failed !== '') return html`<p>${failed}</p>`;
+    if (this.#running !== null) return html`<p>${this.#say('Running …')}</p>`;
     const { hint } = this.values;
-    if (this.#shown === null || this.#failure !== null || hint === 'none') return nothing;
-    const { verdict } = this.#shown;
+    const verdict = this.#shown;
+    if (verdict === null || this.#faults.length > 0 || hint === 'none') return nothing;
     const say = (text: string, values?: Readonly<Record<string, string | number>>): string =>
       this.#say(text, values);
     const [first, ...rest] = sentencesFor(verdict, hint, say);
@@ -293,10 +287,10 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   #pictures(): TemplateResult | typeof nothing {
-    const { picture } = this.#shown ?? {};
-    if (picture === undefined || picture === null) return nothing;
+    const { images = null } = this.#shown ?? {};
+    if (images === null) return nothing;
     const { hint } = this.values;
-    const { width, height } = picture;
+    const { width, height } = images.own;
     const canvas = (id: string, label: string): TemplateResult =>
       html`<canvas
         id=${id}
@@ -336,7 +330,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
             </figure>`
           : nothing
       }
-      ${picture.isGouraud ? html`<p>${this.#say(GOURAUD)}</p>` : nothing}
+      ${this.#shown?.isGouraud === true ? html`<p>${this.#say(GOURAUD)}</p>` : nothing}
     </div>`;
   }
 
@@ -346,13 +340,10 @@ class Exercise extends ExtraElement<ExerciseValues> {
   };
 
   #solution(): TemplateResult | typeof nothing {
-    const { solution, kinds } = this.values;
-    if (!solution || !this.#wasRight) return nothing;
-    const lights = this.#viewer?.lights ?? [];
-    const task = this.#task(kinds ?? kindsOf(lights));
+    if (!this.values.solution || this.#solved === null) return nothing;
     return html`<details open>
       <summary>${this.#say('The exact function')}</summary>
-      <pre tabindex="0">${solutionFor(task)}</pre>
+      <pre tabindex="0">${solutionFor(this.#solved)}</pre>
     </details>`;
   }
 }
@@ -384,12 +375,6 @@ const grouped = (value: number): string =>
 
 const NO_VERDICT = { right: false, mistakes: [], share: 0 } as const;
 
-const STOPS = {
-  slow: 'The function takes too long: drawing stopped after two seconds.',
-  lost: 'The graphics driver has stopped. The next run starts anew.',
-  'no-webgl2': 'An exercise needs WebGL 2.',
-} as const satisfies Record<NonNullable<Failure['stop']>, ViewerText>;
-
 const DEMONSTRATIONS: Partial<Record<SceneName, ViewerText>> = {
   behind: 'Turn the light behind the object',
   dull: 'Turn the light behind the object',
@@ -398,7 +383,3 @@ const DEMONSTRATIONS: Partial<Record<SceneName, ViewerText>> = {
   narrow: 'Use a narrow spot',
   spot: 'Use a narrow spot',
 };
-
-const kindsOf = (
-  lights: readonly (Parameters<typeof kindOf>[0] & { readonly active: boolean })[],
-): LightKind[] => lights.filter(({ active }) => active).map(kindOf);

@@ -2,28 +2,22 @@
 // driver can be trusted with it. Neither a compiler nor a frame that runs can be stopped, so each
 // loop has to have bounds that can be read, and the code and what it does have limits. Macros and
 // constants are put in first: what is read here is what the driver gets.
+import type { ViewerText } from '../../viewer/extra.js';
 
-/** What keeps a function from being run. `text` is a key of the page's texts. */
+/** Why there is no verdict. */
 export interface Fault {
-  readonly text: FaultText;
-  readonly values?: Readonly<Record<string, string>>;
+  /** A key of the page's texts, or what a compiler says. */
+  readonly text: string;
+  readonly values: Readonly<Record<string, string | number>>;
   /** Counted from 1; null where it is no one line's. */
   readonly line: number | null;
 }
 
-export type FaultText =
-  | 'The text is too long: at most {most} characters.'
-  | 'A comment is not closed.'
-  | 'Of the lines that begin with # only #define is allowed, without a loop or a block in it.'
-  | 'This character is not allowed here: {character}'
-  | 'Braces or brackets do not match.'
-  | 'A loop must be a for with numbers as bounds, and leave its variable alone, so that it ends.'
-  | 'Loops inside each other may run {most} times at most.'
-  | 'The function does too much: loops and calls are limited.'
-  | 'A function calls itself: {name}. GLSL has no recursion.'
-  | 'Leave out {name}: it is there already.'
-  | 'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).'
-  | 'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
+export const faultOf = (
+  text: ViewerText,
+  values: Fault['values'] = {},
+  line: number | null = null,
+): Fault => ({ text, values, line });
 
 const MOST_CHARACTERS = 20_000;
 
@@ -49,11 +43,11 @@ interface Token {
   readonly line: number;
 }
 
-/** A function of the learner's, or a struct. */
+/** A function of the learner's. */
 interface Body {
   readonly name: string;
-  /** Types of the parameters; null of a struct. */
-  readonly types: readonly string[] | null;
+  /** Types of the result and the parameters. */
+  readonly types: readonly string[];
   readonly tokens: readonly Token[];
   readonly line: number;
   /** Index of its first token, and of that of its prototype, if it has one. */
@@ -77,28 +71,24 @@ interface Needs {
 class Refused extends Error {
   readonly fault: Fault;
 
-  constructor(text: FaultText, line: number | null, values: Fault['values'] = {}) {
+  constructor(text: ViewerText, line: number | null, values: Fault['values'] = {}) {
     super(text);
-    this.fault = { text, line, values };
+    this.fault = faultOf(text, values, line);
   }
 }
 
-/**
- * The text without comments and macros, each line in its place, and how many tokens one call of
- * `shade` runs; or what is wrong with it.
- */
-export function checked(
-  source: string,
-): { readonly glsl: string; readonly cost: number } | { readonly fault: Fault } {
+/** The text without comments and macros, each line in its place; or what is wrong with it. */
+export function checked(source: string): { readonly glsl: string } | { readonly fault: Fault } {
   try {
     if (source.length > MOST_CHARACTERS) {
       throw new Refused('The text is too long: at most {most} characters.', null, {
-        most: String(MOST_CHARACTERS),
+        most: MOST_CHARACTERS,
       });
     }
     const bare = withoutComments(source.replace(/\r\n?/g, '\n'));
     const tokens = withConstants(withoutMacros(bare));
-    return { glsl: textOf(tokens), cost: new Reading(tokens).cost() };
+    new Reading(tokens).check();
+    return { glsl: textOf(tokens) };
   } catch (error) {
     if (error instanceof Refused) return { fault: error.fault };
     throw error;
@@ -252,7 +242,7 @@ class Reading {
     this.#bodies = this.#readBodies();
   }
 
-  cost(): number {
+  check(): void {
     const shades = this.#bodies.filter(({ name }) => name === 'shade');
     if (shades.length === 0) {
       throw new Refused(
@@ -260,24 +250,13 @@ class Reading {
         null,
       );
     }
-    for (const body of this.#bodies) {
-      const { name, line } = body;
-      if (/^(main|Light|Material)$/.test(name)) {
-        throw new Refused('Leave out {name}: it is there already.', line, { name });
-      }
-      this.#needsOf(body);
-    }
-    const shade = shades.find(
-      ({ types, at }) =>
-        types?.join(' ') === 'Light Material vec3 vec3 vec3' && this.#tokens[at]!.text === 'vec3',
-    );
-    if (shade === undefined) {
+    this.#bodies.forEach((body) => this.#needsOf(body));
+    if (!shades.some(({ types }) => types.join(' ') === 'vec3 Light Material vec3 vec3 vec3')) {
       throw new Refused(
         'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).',
         shades[0]!.line,
       );
     }
-    return this.#needsOf(shade).cost;
   }
 
   #match(): void {
@@ -288,8 +267,8 @@ class Reading {
       } else if (depthOf(text) < 0 && !/^(\(\)|\[\]|\{\})$/.test(`${open.pop()?.text}${text}`)) {
         throw new Refused(UNMATCHED, line);
       }
-      const size = text === '[' ? numberIn(this.#tokens.slice(i + 1, closing(this.#tokens, i))) : 0;
-      if (size !== null && size > MOST_ELEMENTS) throw new Refused(TOO_MUCH, line);
+      const isLong = text === '[' && numberIn(this.#tokens[i + 1]?.text) > MOST_ELEMENTS;
+      if (isLong) throw new Refused(TOO_MUCH, line);
     }
     if (open.length > 0) throw new Refused(UNMATCHED, open.at(-1)!.line);
   }
@@ -304,19 +283,21 @@ class Reading {
       const close = closing(tokens, i);
       const at = Math.max(i - 2, 0);
       const [type = '', name = ''] = tokens.slice(at, i).map((word) => word.text);
-      const types = text === '(' ? typesIn(tokens.slice(i + 1, close)) : null;
-      const key = [name, ...(types ?? [])].join(' ');
-      declared.set(key, declared.get(key) ?? at);
-      if (types !== null && tokens[close + 1]?.text !== '{') {
-        i = close;
-        continue;
+      const isStruct = text === '{' && type === 'struct';
+      const isFunction = text === '(' && tokens[close + 1]?.text === '{';
+      if (/^(main|Light|Material)$/.test(name) && (isStruct || isFunction)) {
+        throw new Refused('Leave out {name}: it is there already.', line, { name });
       }
-      if (!isName(name) || (types === null && type !== 'struct'))
+      const types = [type, ...typesIn(tokens.slice(i + 1, close))];
+      const key = [name, ...types].join(' ');
+      const declaredAt = declared.get(key) ?? at;
+      declared.set(key, declaredAt);
+      const end = isFunction ? closing(tokens, close + 1) : close;
+      if (isFunction && isName(name)) {
+        bodies.push({ name, types, tokens: tokens.slice(close + 2, end), line, at, declaredAt });
+      } else if (isFunction || (text === '{' && !isStruct)) {
         throw new Refused(UNMATCHED, line);
-      const start = types === null ? i : close + 1;
-      const end = closing(tokens, start);
-      const declaredAt = declared.get(key)!;
-      bodies.push({ name, types, tokens: tokens.slice(start + 1, end), line, at, declaredAt });
+      }
       i = end;
     }
     return bodies;
@@ -342,16 +323,12 @@ class Reading {
    */
   #calledBy(caller: Body, tokens: readonly Token[], i: number): readonly Body[] {
     const { text } = tokens[i]!;
-    if (tokens[i - 1]?.text === '.') return [];
-    const named = this.#bodies.filter(
-      ({ name, declaredAt }) => name === text && declaredAt <= caller.at,
+    if (tokens[i - 1]?.text === '.' || tokens[i + 1]?.text !== '(') return [];
+    const args = partsOf(tokens.slice(i + 2, closing(tokens, i + 1))).length;
+    const called = this.#bodies.filter(
+      ({ name, types, declaredAt }) =>
+        name === text && types.length === args + 1 && declaredAt <= caller.at,
     );
-    if (named.length === 0) return named;
-    const args =
-      tokens[i + 1]?.text === '('
-        ? partsOf(tokens.slice(i + 2, closing(tokens, i + 1))).length
-        : -1;
-    const called = named.filter(({ types }) => types === null || types.length === args);
     return called.length > 1 ? called.filter((body) => body !== caller) : called;
   }
 
@@ -364,8 +341,9 @@ class Reading {
       cost += times * needs.cost;
       code += needs.code;
       if (turns > MOST_TURNS) {
-        const most = MOST_TURNS.toLocaleString('en');
-        throw new Refused('Loops inside each other may run {most} times at most.', line, { most });
+        throw new Refused('Loops inside each other may run {most} times at most.', line, {
+          most: MOST_TURNS,
+        });
       }
       if (cost > MOST_COST || code > MOST_CODE) throw new Refused(TOO_MUCH, line);
     };
@@ -378,60 +356,48 @@ class Reading {
         const close = closing(tokens, i + 1);
         const end = statementEnd(tokens, close + 1);
         const body = tokens.slice(close + 1, end + 1);
-        const times = this.#turns(tokens.slice(i + 2, close), body);
+        const times = this.#turns(wordsOf(tokens.slice(i + 2, close)), wordsOf(body));
         if (times === null) throw new Refused(LOOP, line);
         plus(this.#needsIn(caller, body), line, Math.max(times, 1));
         i = end;
       } else {
-        const all = this.#calledBy(caller, tokens, i).map((body) => this.#needsOf(body));
-        const most = (of: keyof Needs): number => Math.max(...all.map((needs) => needs[of]), 0);
-        plus({ turns: most('turns'), cost: most('cost'), code: most('code') }, line);
+        for (const body of this.#calledBy(caller, tokens, i)) {
+          plus(this.#needsOf(body), line);
+        }
       }
     }
     return { turns, cost, code };
   }
 
   /** How often a loop runs; null where that cannot be read from its head. */
-  #turns(head: readonly Token[], body: readonly Token[]): number | null {
-    const words = head.map(({ text }) => text);
-    const first = words.indexOf(';');
-    const second = words.indexOf(';', first + 1);
-    const [type, name, equals] = words;
-    if (!/^(int|uint|float)$/.test(type ?? '') || equals !== '=' || !isName(name)) return null;
-    const from = numberIn(head.slice(3, first));
-    const [variable, comparison = ''] = words.slice(first + 1);
-    const to = numberIn(head.slice(first + 3, second));
-    const step = stepIn(head.slice(second + 1), name!);
-    if (from === null || to === null || step === null || variable !== name) return null;
-    if (this.#isWritten(name!, body)) return null;
+  #turns(head: string, body: string): number | null {
+    const [, type, name = '', from, comparison = '', to, before, after, short, long, by = '1'] =
+      LOOP_HEAD.exec(head) ?? [];
+    const sign = before ?? after ?? short ?? long ?? '';
+    const [first, last] = [numberIn(from), numberIn(to)];
+    const step = numberIn(by) * (sign.startsWith('-') ? -1 : 1);
     const isUp = step > 0;
-    const isEnding = isUp ? /^<=?$/.test(comparison) : /^>=?$/.test(comparison) && type !== 'uint';
+    const isEnding = comparison.startsWith(isUp ? '<' : '>') && (isUp || type !== 'uint');
     // A step that float32 cannot add would never end.
-    const largest = Math.max(Math.abs(from), Math.abs(to)) + Math.abs(step);
-    const isAdded = Math.abs(Math.fround(largest + Math.abs(step)) - largest) > Math.abs(step) / 2;
-    if (!isEnding || !isAdded || largest > 1e6) return null;
-    return Math.max(Math.ceil((to - from) / step) + (comparison.endsWith('=') ? 1 : 0), 0);
+    const size = Math.abs(step);
+    const largest = Math.max(Math.abs(first), Math.abs(last)) + size;
+    const isAdded = Math.fround(largest + size) - largest > size / 2;
+    if (!isEnding || !isAdded || !(largest <= 1e6) || this.#isWritten(name, body)) return null;
+    return Math.max(Math.ceil((last - first) / step) + (comparison.endsWith('=') ? 1 : 0), 0);
   }
 
   /** Whether the loop's variable may change in the body. */
-  #isWritten(name: string, body: readonly Token[]): boolean {
+  #isWritten(name: string, body: string): boolean {
     const writers = this.#tokens.some(({ text }) => WRITERS.test(text));
-    return body.some(({ text }, i) => {
-      if (text !== name) return false;
-      let [from, to] = [i - 1, i + 1];
-      while (body[from]?.text === '(' && body[to]?.text === ')') {
-        if (writers) return true;
-        from -= 1;
-        to += 1;
-      }
-      const before = body[from]?.text ?? '';
-      const after = body[to]?.text ?? '';
-      return (
-        /^(\+\+|--)$/.test(before) ||
-        /^(\+\+|--|=|[-+*/%&|^]=|<<=|>>=)$/.test(after) ||
-        (writers && /^[(,]$/.test(before) && /^[),]$/.test(after))
-      );
-    });
+    let text = ` ${body} `;
+    for (let before = ''; !writers && text !== before;) {
+      before = text;
+      text = text.replaceAll(` ( ${name} ) `, ` ${name} `);
+    }
+    const given = writers ? `|[(,] ${name} [),]` : '';
+    return new RegExp(
+      `(\\+\\+|--) ${name} | ${name} (\\+\\+|--|([-+*/%&|^]|<<|>>)?=) ${given}`,
+    ).test(text);
   }
 }
 
@@ -445,31 +411,21 @@ const typesIn = (parameters: readonly Token[]): string[] =>
         .join(' '),
   );
 
-/** The number that the tokens are; null where they are none. */
-function numberIn(tokens: readonly Token[]): number | null {
-  const words = tokens.map(({ text }) => text);
-  while (words[0] === '(' && words.at(-1) === ')') {
-    words.pop();
-    words.shift();
-  }
-  const sign = words[0] === '-' ? -1 : 1;
-  const [word = '', ...rest] = sign < 0 ? words.slice(1) : words;
-  // Octal numbers look like decimal ones.
-  if (rest.length > 0 || !/^[\d.]/.test(word) || /^0\d/.test(word)) return null;
-  return sign * (/^0x/i.test(word) ? parseInt(word) : parseFloat(word));
+const NUMBER = String.raw`(?:\( )*(-? ?[\d.]\S*)(?: \))*`;
+
+/** As `int i = 0; i < 8; i++` with other numbers, or with `i += 2` or `i = i + 2`. */
+const LOOP_HEAD = new RegExp(
+  String.raw`^(int|uint|float) (\w+) = ${NUMBER} ; \2 ([<>]=?) ${NUMBER} ; (?:(\+\+|--) \2|\2 (\+\+|--)|\2 (?:([+-])=|= \2 ([+-])) ${NUMBER})$`,
+);
+
+/** NaN where it is none that is read as decimal: octal ones look so. */
+function numberIn(text = ''): number {
+  const word = text.replace(/^- ?/, '');
+  const size = /^0x/i.test(word) ? parseInt(word) : /^0\d/.test(word) ? NaN : parseFloat(word);
+  return word === text ? size : -size;
 }
 
-function stepIn(tokens: readonly Token[], name: string): number | null {
-  const words = tokens.map(({ text }) => text);
-  if (words.length === 2) {
-    const sign = words.find((word) => word !== name);
-    const isStep = words.includes(name) && (sign === '++' || sign === '--');
-    return isStep ? (sign === '++' ? 1 : -1) : null;
-  }
-  const by = numberIn(tokens.slice(2));
-  if (words[0] !== name || by === null || !/^[+-]=$/.test(words[1] ?? '')) return null;
-  return words[1] === '+=' ? by : -by;
-}
+const wordsOf = (tokens: readonly Token[]): string => tokens.map(({ text }) => text).join(' ');
 
 /** What a bracket adds to the depth. */
 const depthOf = (text: string): number =>

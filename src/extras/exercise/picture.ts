@@ -1,14 +1,14 @@
 // The points of a viewer's picture, as a learner's function is given them: one for each pixel that
 // shows a surface, with each lamp in world space.
 import { srgbDecode } from '../../phong/math/color.js';
-import { add, dot, length, map, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
-import type { Given } from '../../phong/mistakes/steps.js';
+import { add, dot, length, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { lazyCode } from '../../phong/lazy-code.js';
 import type { ViewerSnapshot } from '../../viewer/extra.js';
 import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
-import { type Case, kindOf } from '../../phong/mistakes/judge.js';
+import { type Case, kindOf, type Work } from '../../phong/mistakes/judge.js';
+import { sliced } from './sliced.js';
 import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 
 export interface PicturePoints {
@@ -17,8 +17,8 @@ export interface PicturePoints {
   readonly cases: readonly Case[];
   /** The pixel of each case, counted in rows from the top. */
   readonly pixels: readonly number[];
-  /** Exponents that an exercise cannot have; empty where all are from 1 to 256. */
-  readonly exponents: readonly number[];
+  /** One that an exercise cannot have; null where all are from 1 to 256. */
+  readonly exponent: number | null;
   /** The eye's axes: right, up, back. */
   readonly axes: readonly [Vec3, Vec3, Vec3];
   /** Colours are summed in linear light, and encoded when they are shown. */
@@ -35,15 +35,22 @@ const MOST_PIXELS = 60_000;
 /** Shared with `shadeAt`, which fetches it too. */
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), '<phong-exercise>');
 
-/** Milliseconds in which the page does nothing else. */
-const SLICE = 30;
-
+/** Null where the viewer draws nothing. Throws the signal's reason after an abort. */
 export async function pointsOf(
   { scene, lights }: ViewerSnapshot,
   task: Task,
+  signal: AbortSignal,
 ): Promise<PicturePoints | null> {
   if (scene === null) return null;
-  const { coefficientsOf } = await referenceCode();
+  return sliced(pixelPoints(scene, lights, task, await referenceCode()), signal);
+}
+
+function* pixelPoints(
+  scene: NonNullable<ViewerSnapshot['scene']>,
+  lights: ViewerSnapshot['lights'],
+  task: Task,
+  { coefficientsOf }: Awaited<ReturnType<typeof referenceCode>>,
+): Work<PicturePoints> {
   const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
   const width = Math.max(Math.round(scene.width * shrink), 1);
   const height = Math.max(Math.round(scene.height * shrink), 1);
@@ -53,7 +60,7 @@ export async function pointsOf(
   const cases: Case[] = [];
   const pixels: number[] = [];
   const emissive: Vec3[] = [];
-  const exponents = new Set<number>();
+  let exponent: number | null = null;
   // All surfaces of a viewer are shaded in one space.
   const linear = scene.objects.some(({ phong }) => phong?.linear === true);
   const lamps = lights
@@ -61,15 +68,15 @@ export async function pointsOf(
     .map(({ values }) => lampOf(values, world, axes, linear))
     .filter((lamp) => task.kinds.includes(kindOf(lamp)))
     .map((lamp) => only(task.terms, lamp));
-  let end = performance.now() + SLICE;
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
-      const hit = hitAt({ ...scene, width, height }, column, row);
+      yield;
+      const hit = yield* pick({ ...scene, width, height }, column, row);
       if (hit === null || hit.drawn.phong.look.unlit) continue;
       const { surface, normal } = shadedPoint(hit);
       const { shininess } = surface;
       if (shininess < 1 || shininess > 256) {
-        exponents.add(shininess);
+        exponent = shininess;
       }
       if (length(normal) < 1e-6) continue;
       const given = {
@@ -84,10 +91,6 @@ export async function pointsOf(
       pixels.push(row * width + column);
       emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
     }
-    if (performance.now() > end) {
-      await new Promise((resolve) => setTimeout(resolve));
-      end = performance.now() + SLICE;
-    }
   }
   const isGouraud = scene.objects.some(({ phong }) => phong?.style.shading === 'gouraud');
   return {
@@ -95,20 +98,12 @@ export async function pointsOf(
     height,
     cases,
     pixels,
-    exponents: [...exponents],
+    exponent,
     axes,
     linear,
     emissive,
     isGouraud,
   };
-}
-
-function hitAt(scene: Parameters<typeof pick>[0], column: number, row: number): SeenHit | null {
-  const search = pick(scene, column, row);
-  for (;;) {
-    const step = search.next();
-    if (step.done === true) return step.value;
-  }
 }
 
 function shadedPoint(hit: SeenHit) {
@@ -159,40 +154,33 @@ export function underScene(
   scene: Scene,
   terms: Task['terms'],
 ): PicturePoints {
-  const givens = picture.cases.flatMap((at) => at.slice(0, 1));
-  const extent = ([0, 1, 2] as const).map((k) => {
-    const all = givens.map(({ p }) => p[k]);
-    return [Math.min(...sparse(all)), Math.max(...sparse(all))] as const;
-  });
-  const center = extent.map(([low, high]) => (low + high) / 2) as unknown as Vec3;
-  const size = Math.max(...extent.map(([low, high]) => (high - low) / 2), 1e-6);
+  const points = picture.cases.flatMap(([given]) => (given === undefined ? [] : [given.p]));
+  const center = scale(points.reduce<Vec3>(add, [0, 0, 0]), 1 / points.length);
+  const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
   const [x, y, z, w] = scene.position;
   const place = along(picture.axes, [x, y, z]);
-  const position: Vec4 = [...(w === 1 ? add(center, scale(place, size)) : place), w];
   const [kc, kl, kq] = scene.attenuation;
   const light = only(terms, {
     ambient: [0.25, 0.25, 0.25],
     diffuse: [0.9, 0.9, 0.9],
     specular: [0.9, 0.9, 0.9],
-    position: map4(position),
+    position: [...map(w === 1 ? add(center, scale(place, size)) : place, Math.fround), w],
     axis: map(along(picture.axes, scene.axis), Math.fround),
     aperture: scene.aperture,
     cutoff: scene.cutoff,
     attenuation: map([kc, kl / size, kq / size ** 2], Math.fround),
   });
-  const turned = (given: Given): Given => ({
-    ...given,
-    light,
-    normal: map(scale(given.normal, scene.normal), Math.fround),
-    material: { ...given.material, shininess: scene.shininess },
-  });
-  return { ...picture, cases: picture.cases.map((at) => at.slice(0, 1).map(turned)) };
+  const cases = picture.cases.map(([given]) =>
+    given === undefined
+      ? []
+      : [
+          {
+            ...given,
+            light,
+            normal: map(scale(given.normal, scene.normal), Math.fround),
+            material: { ...given.material, shininess: scene.shininess },
+          },
+        ],
+  );
+  return { ...picture, cases };
 }
-
-const map4 = ([x, y, z, w]: Vec4): Vec4 => [...map([x, y, z], Math.fround), w];
-
-/** A few thousand of them: calls take only so many arguments. */
-const sparse = (all: readonly number[]): number[] => {
-  const stride = Math.ceil(all.length / 4000);
-  return all.filter((_, i) => i % stride === 0);
-};

@@ -1,14 +1,18 @@
 // Runs a learner's function on points, in a WebGL 2 context of its own: whatever it does, it can
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
-import { clamp } from '../../phong/math/vector.js';
 import type { Lamp } from '../../phong/mistakes/sheet.js';
-import type { Case } from '../../phong/mistakes/judge.js';
+import { type Fault, faultOf } from './guard.js';
+import type { Case, Work } from '../../phong/mistakes/judge.js';
+import { sliced } from './sliced.js';
 
 const VERTEX = `#version 300 es
 void main() {
   gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
 }`;
+
+/** Cases, and lamps, in a row of the textures; side of the largest tile. */
+const WIDTH = 64;
 
 /**
  * What a learner's text stands behind. The power of a negative number is undefined in GLSL, and some
@@ -48,7 +52,7 @@ uniform sampler2D exercisePoints;
 uniform sampler2D exerciseLights;
 out uvec4 exerciseResult;
 vec4 exerciseLight(int i, int k) {
-  return texelFetch(exerciseLights, ivec2(6 * (i % 256) + k, i / 256), 0);
+  return texelFetch(exerciseLights, ivec2(6 * (i % ${WIDTH}) + k, i / ${WIDTH}), 0);
 }
 vec4 exercisePoint(int k) {
   return texelFetch(exercisePoints, ivec2(gl_FragCoord.xy) * ivec2(6, 1) + ivec2(k, 0), 0);
@@ -78,126 +82,85 @@ void main() {
 
 const LINES = PRELUDE.split('\n').length - 1;
 
-/** What the compiler says, by the learner's lines. */
-export interface Message {
-  /** Counted from 1; null where it is no one line's. */
-  readonly line: number | null;
-  readonly text: string;
-}
-
-/** Side of the largest tile: a frame that runs cannot be stopped, so frames are small. */
-const TILE = 64;
-
-/** Words of code that a tile runs at most: half a second in software. */
-const MOST_WORDS = 5e7;
-
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
 
-/** Side of a sample of a tile. */
-const SAMPLE = 8;
+/** Milliseconds: a frame that runs cannot be stopped, so only after a quicker one tiles grow. */
+const QUICK = 100;
 
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
 
 export class NoContextError extends Error {}
 
-/** The context is lost: a driver has given up, or the page has taken it away. */
-export class LostError extends Error {}
-
 export class Program {
   readonly #gl: WebGL2RenderingContext;
-  readonly messages: readonly Message[];
   readonly #pixels: WebGLBuffer | null;
-  readonly #tile: number;
-  #drawn = 0;
 
-  /** `cost`: words that one call runs. Throws NoContextError where there is no WebGL 2. */
-  constructor(glsl: string, cost: number) {
-    this.#tile = clamp(Math.floor(Math.sqrt(MOST_WORDS / cost)), 4, TILE);
+  /** Throws NoContextError where there is no WebGL 2. */
+  constructor() {
     const gl = document
       .createElement('canvas')
       .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
     if (gl === null) throw new NoContextError();
     this.#gl = gl;
     this.#pixels = gl.createBuffer();
-    this.messages = this.#build(glsl);
+  }
+
+  /** A driver has given up, or the page has taken the context away. Then any method may throw. */
+  get isLost(): boolean {
+    return this.#gl.isContextLost();
   }
 
   /**
-   * The sums at the cases, three numbers each, laid out in rows of `width`, at most 256. Those
-   * that were not reached in time are NaN; `done` is how many were. Throws LostError.
+   * The sums at the cases, three numbers each; null where they take too long. Throws the signal's
+   * reason after an abort.
    */
-  async run(cases: readonly Case[], width: number) {
+  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array | null> {
     const gl = this.#gl;
-    const height = Math.ceil(cases.length / width);
-    const [points, lamps] = packed(cases, width * height);
-    this.#upload(0, 6 * width, points);
-    this.#upload(1, 6 * 256, lamps);
+    const height = Math.ceil(cases.length / WIDTH);
+    const [points, lamps] = await sliced(packed(cases, WIDTH * height), signal);
+    this.#upload(0, points);
+    this.#upload(1, lamps);
     const target = gl.createTexture();
     gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D, target);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, width, height);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, WIDTH, height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-    gl.viewport(0, 0, width, height);
+    gl.viewport(0, 0, WIDTH, height);
     gl.enable(gl.SCISSOR_TEST);
     const colors = new Float32Array(3 * cases.length).fill(NaN);
-    let done = 0;
-    // Drivers finish a program in its first frame: one pixel, which does not count.
-    await this.#draw(0, 0, 1, 1);
-    if (await this.#isSlow()) return { colors, done };
-    const tile = this.#tile;
-    for (let y = 0; y < height; y += tile) {
-      for (let x = 0; x < width; x += tile) {
-        if (this.#drawn > PATIENCE) return { colors, done };
-        const start = performance.now();
-        const w = Math.min(tile, width - x);
-        const bits = await this.#draw(x, y, w, Math.min(tile, height - y));
-        this.#drawn += performance.now() - start;
-        const floats = new Float32Array(bits.buffer);
-        for (let i = 0; i < bits.length / 4; i++) {
-          const at = (y + Math.floor(i / w)) * width + x + (i % w);
-          // Where the function has discarded the pixel nothing is written.
-          if (at < cases.length) {
-            done++;
-            if (bits[4 * i + 3] === 1) {
-              colors.set(floats.subarray(4 * i, 4 * i + 3), 3 * at);
-            }
-          }
+    let [at, count, spent, least] = [0, 1, 0, QUICK];
+    while (at < cases.length) {
+      signal.throwIfAborted();
+      if (spent > PATIENCE) return null;
+      const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
+      const width = Math.min(count, WIDTH - x);
+      const rows = width < WIDTH ? 1 : Math.min(count / WIDTH, height - y);
+      const start = performance.now();
+      const bits = await this.#draw(x, y, width, rows);
+      const took = performance.now() - start;
+      // What a frame takes without its pixels. Drivers finish a program in its first one.
+      least = Math.min(least, took);
+      spent += at === 0 ? 0 : took - least;
+      const floats = new Float32Array(bits.buffer);
+      for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
+        // Where the function has discarded the pixel nothing is written.
+        if (bits[i + 3] === 1) {
+          colors.set(floats.subarray(i, i + 3), 3 * at);
         }
       }
+      if (took - least < QUICK) {
+        count = Math.min(4 * count, WIDTH ** 2);
+      }
     }
-    return { colors, done };
+    return colors;
   }
 
   /** Browsers keep few contexts, so none waits for the next run. */
   dispose(): void {
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
-  }
-
-  /** A frame that runs cannot be stopped, so a few pixels say how long a tile would take. */
-  async #isSlow(): Promise<boolean> {
-    const timed = async (side: number): Promise<number> => {
-      const start = performance.now();
-      await this.#draw(0, 0, side, side);
-      return performance.now() - start;
-    };
-    const sample = Math.min(SAMPLE, this.#tile);
-    // With this a tile takes PATIENCE.
-    const most = PATIENCE * (sample / this.#tile) ** 2;
-    let took = 0;
-    // One pixel tells what a frame takes without them. Now and then a machine is busy.
-    for (let i = 0; i < 5; i++) {
-      const one = await timed(1);
-      took = one;
-      // Four times the pixels at a time: of code that copies much, words do not tell what it takes.
-      for (let side = 2; side <= sample && took < PATIENCE / 8; side *= 2) {
-        took = (await timed(side)) - one;
-      }
-      if (took < most || took > PATIENCE / 4) break;
-    }
-    return took >= most;
   }
 
   /** The page goes on while the GPU draws. */
@@ -215,24 +178,29 @@ export class Program {
     const end = performance.now() + WATCHDOG;
     do {
       await new Promise((resolve) => setTimeout(resolve));
-      if (drawn === null || gl.isContextLost() || performance.now() > end) throw new LostError();
+      if (performance.now() > end) {
+        this.dispose();
+      }
+      if (drawn === null || this.isLost) throw new Error('lost');
     } while (gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED);
     gl.deleteSync(drawn);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bits);
     return bits;
   }
 
-  #upload(unit: number, width: number, texels: Float32Array): void {
+  /** Rows of six texels for each of WIDTH. */
+  #upload(unit: number, texels: Float32Array): void {
     const gl = this.#gl;
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    const height = texels.length / 4 / width;
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, texels);
+    const height = texels.length / 24 / WIDTH;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6 * WIDTH, height, 0, gl.RGBA, gl.FLOAT, texels);
   }
 
-  #build(glsl: string): Message[] {
+  /** What the compiler has against it; empty where it can run. */
+  build(glsl: string): readonly Fault[] {
     const gl = this.#gl;
     const program = gl.createProgram();
     // A function's parameters have the qualifiers of its prototype.
@@ -252,7 +220,6 @@ export class Program {
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
-    if (gl.isContextLost()) throw new LostError();
     if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
       return messagesIn(gl.getProgramInfoLog(program) ?? '');
     }
@@ -263,28 +230,37 @@ export class Program {
   }
 }
 
-function messagesIn(log: string): Message[] {
+/** What the compiler says, by the learner's lines. */
+function messagesIn(log: string): Fault[] {
   const lines = log
     .replace(/\0/g, '')
     .split('\n')
-    .map((line) => line.trim());
-  const messages = lines
-    .filter((line) => line !== '' && !line.startsWith('WARNING'))
-    .map((line) => {
-      const [, number, text] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
-      const own = Number(number) - LINES;
-      return { line: own > 0 ? own : null, text: (text ?? line).replace(/exercisePow/g, 'pow') };
-    });
-  return messages.length > 0 ? messages : [{ line: null, text: log }];
+    .map((line) => line.trim())
+    .filter((line) => line !== '' && !line.startsWith('WARNING'));
+  return (lines.length > 0 ? lines : [log]).map((line) => {
+    const [, number, text = line] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
+    const own = Number(number) - LINES;
+    // Of overloads only a compiler knows which one is called.
+    const [, name] = /Recursive function call.*\b(\w+)$/.exec(text) ?? [];
+    if (name !== undefined) {
+      return faultOf('A function calls itself: {name}. GLSL has no recursion.', { name });
+    }
+    const message = text.replace(/exercisePow/g, 'pow');
+    return { text: message, values: {}, line: own > 0 ? own : null };
+  });
 }
 
 /** Six texels a case, and six a lamp; each list of lamps once. */
-function packed(cases: readonly Case[], count: number): readonly [Float32Array, Float32Array] {
+function* packed(
+  cases: readonly Case[],
+  count: number,
+): Work<readonly [points: Float32Array, lamps: Float32Array]> {
   const points = new Float32Array(24 * count);
   const lamps: Lamp[] = [];
   const firsts = new Map<Lamp, number>();
   for (const [i, at] of cases.entries()) {
     const [given] = at;
+    yield;
     if (given === undefined) continue;
     const { material: m, p, normal, eye, light } = given;
     let first = firsts.get(light);
@@ -292,10 +268,12 @@ function packed(cases: readonly Case[], count: number): readonly [Float32Array, 
       firsts.set(light, (first = lamps.length));
       lamps.push(...at.map((one) => one.light));
     }
-    points.set([...p, first, ...normal, at.length, ...eye, m.shininess], 24 * i);
-    points.set([...m.ka, 0, ...m.kd, 0, ...m.ks, 0], 24 * i + 12);
+    points.set(
+      [...p, first, ...normal, at.length, ...eye, m.shininess, ...m.ka, 0, ...m.kd, 0, ...m.ks, 0],
+      24 * i,
+    );
   }
-  const rows = new Float32Array(24 * 256 * Math.max(Math.ceil(lamps.length / 256), 1));
+  const rows = new Float32Array(24 * WIDTH * Math.max(Math.ceil(lamps.length / WIDTH), 1));
   for (const [i, { ambient, diffuse, specular, position, axis, ...rest }] of lamps.entries()) {
     rows.set([...ambient, rest.aperture, ...diffuse, rest.cutoff, ...specular, 0], 24 * i);
     rows.set([...position, ...axis, 0, ...rest.attenuation, 0], 24 * i + 12);

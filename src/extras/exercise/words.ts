@@ -1,6 +1,6 @@
 // A verdict in sentences, as much of it as the exercise's `hint` allows.
 import type { Term } from '../../phong/light/light-state.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { map, type Vec3 } from '../../phong/math/vector.js';
 import { MISTAKES, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import type { ViewerText } from '../../viewer/extra.js';
 import type { Verdict } from './check.js';
@@ -41,59 +41,47 @@ export function sentencesFor(
           ),
     ];
   }
-  const first =
+  const { terms, difference, undefinedPixels } = verdict;
+  const list = (texts: readonly ViewerText[]): string => texts.map((text) => say(text)).join(', ');
+  const sentences = [
     scene === null
       ? say('Not right yet: {right} of {count} pixels are within one 8-bit step.', count)
-      : say('Right in this picture, but not under other lights.');
-  const named = hint === 'what' ? mistakes.map((id) => say(MISTAKES[id].sentence)) : [];
-  return [
-    first,
-    ...named,
-    ...termsIn(verdict, say),
-    ...(named.length > 0 ? [] : whereIn(verdict, say)),
-    ...(worst === null
-      ? []
-      : [
-          say('Pixel {x}, {y}: yours {found}, exact {exact}; 255 is full.', {
-            x: worst.x,
-            y: worst.y,
-            found: codes(worst.found),
-            exact: codes(worst.exact),
-          }),
-        ]),
+      : say('Right in this picture, but not under other lights.'),
   ];
-}
-
-const namesOf = (texts: readonly ViewerText[], say: Say): string =>
-  texts.map((text) => say(text)).join(', ');
-
-function termsIn({ difference: { terms } }: Verdict, say: Say): string[] {
-  const names = terms.map((term) => TERM_NAMES[term]);
-  return names.length === 0 ? [] : [say('It differs in: {terms}.', { terms: namesOf(names, say) })];
-}
-
-function whereIn({ difference, undefinedPixels }: Verdict, say: Say): string[] {
-  const { kinds, regions } = difference;
-  return [
-    ...(kinds.length === 0
-      ? []
-      : [
-          say('Under these lights: {lights}.', {
-            lights: namesOf(kinds, say),
-          }),
-        ]),
-    ...(undefinedPixels === 0
-      ? []
-      : [
-          say(
-            'At {count} pixels the result is not a number: a power of a negative number, a root of one, or a division by 0.',
-            { count: undefinedPixels },
-          ),
-        ]),
-    ...regions.map((region) => say(REGION_TEXTS[region])),
-  ];
+  const named = hint === 'what' ? mistakes : [];
+  sentences.push(...named.map((id) => say(MISTAKES[id].sentence)));
+  if (terms.length > 0) {
+    const names = list(terms.map((term) => TERM_NAMES[term]));
+    sentences.push(say('It differs in: {terms}.', { terms: names }));
+  }
+  if (named.length === 0) {
+    const { kinds, regions } = difference;
+    if (kinds.length > 0) {
+      sentences.push(say('Under these lights: {lights}.', { lights: list(kinds) }));
+    }
+    if (undefinedPixels > 0) {
+      sentences.push(
+        say(
+          'At {count} pixels the result is not a number: a power of a negative number, a root of one, or a division by 0.',
+          { count: undefinedPixels },
+        ),
+      );
+    }
+    sentences.push(...regions.map((region) => say(REGION_TEXTS[region])));
+  }
+  if (worst !== null) {
+    const { x, y, found, exact } = worst;
+    sentences.push(
+      say('Pixel {x}, {y}: yours {found}, exact {exact}; 255 is full.', {
+        x,
+        y,
+        found: codes(found),
+        exact: codes(exact),
+      }),
+    );
+  }
+  return sentences;
 }
 
 /** As a screen has them, but not clamped: negative light is seen here. */
-const codes = (color: Vec3): string =>
-  color.map((x) => (Number.isNaN(x) ? 'NaN' : String(Math.round(255 * x)))).join(' ');
+const codes = (color: Vec3): string => map(color, (x) => Math.round(255 * x)).join(' ');

@@ -1,6 +1,6 @@
 // Says what is wrong with a lighting function, from its colours alone: nothing, one or two usual
 // mistakes that explain the colours, or where they differ. Pure; runs in Node as in pages.
-import { KINDS, type LightKind, type Term, TERMS } from '../light/light-state.js';
+import { KINDS, type LightKind } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { add, clamp, dot, map, normalize, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
@@ -8,6 +8,9 @@ import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps
 
 /** A point with each lamp that lights it; its colour is the sum over them. */
 export type Case = readonly Given[];
+
+/** A long computation: at each `yield` a page may do something else. */
+export type Work<Result> = Generator<unknown, Result, undefined>;
 
 /** What a function gave, in the order of the cases; three numbers each. */
 export type Colors = ArrayLike<number>;
@@ -124,15 +127,27 @@ export interface Judged {
  * A picture shows sums that are clamped. The sheet's are not; but a function may clamp what it
  * returns, since no picture shows that: the sum of the lamps reaches 1 where one of them does.
  */
-export function compare(cases: readonly Case[], colors: Colors, isSheet = false): Judged {
+export function* compare(cases: readonly Case[], colors: Colors, isSheet = false): Work<Judged> {
   const isFine = (found: Vec3, right: Vec3): boolean =>
     isSheet
       ? isWithinStep(found, right) || isWithinStep(found, map(right, unit))
       : isWithinStep(map(found, unit), map(right, unit));
-  const all = cases.flatMap((at, i) => (isFine(colorAt(colors, i), exactAt(at)) ? [] : [i]));
+  const all: number[] = [];
+  for (const [i, at] of cases.entries()) {
+    if (!isFine(colorAt(colors, i), exactAt(at))) {
+      all.push(i);
+    }
+    yield;
+  }
   // Where much is wrong, the few points at which the equation jumps count for nothing.
   const isFew = !isSheet && all.length < 0.2 * cases.length;
-  const wrong = isFew ? all.filter((i) => !jumps(cases[i]!)) : all;
+  const wrong: number[] = [];
+  for (const i of all) {
+    if (!isFew || !jumps(cases[i]!)) {
+      wrong.push(i);
+    }
+    yield;
+  }
   const count = cases.length - all.length + wrong.length;
   return { cases, colors, wrong, count, isSheet };
 }
@@ -145,7 +160,7 @@ export const isRight = ({ wrong, count }: Judged): boolean => wrong.length <= ST
  * The usual mistakes that together give these colours, one or two; empty where none do. Where two
  * forms explain them, the one that meets more of them.
  */
-export function mistakesIn(judged: readonly Judged[]): readonly MistakeId[] {
+export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[]> {
   for (const { cases, colors } of judged) {
     const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
     if (defined.length < DEFINED * cases.length) return [];
@@ -155,7 +170,7 @@ export function mistakesIn(judged: readonly Judged[]): readonly MistakeId[] {
   const clamped = judged.every(isClamped)
     ? singles.filter(({ ids: [id] }) => id !== 'scale-255')
     : [];
-  const single = best(judged, singles) ?? best(judged, clamped, true);
+  const single = (yield* best(judged, singles)) ?? (yield* best(judged, clamped, true));
   if (single !== null) return single;
   // Many pairs take all light away.
   if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
@@ -169,7 +184,7 @@ export function mistakesIn(judged: readonly Judged[]): readonly MistakeId[] {
       }
     }
   }
-  return best(judged, pairs) ?? [];
+  return (yield* best(judged, pairs)) ?? [];
 }
 
 interface Candidate {
@@ -185,24 +200,29 @@ const isClamped = ({ cases, colors, isSheet }: Judged): boolean =>
   (cases.some((at) => exactAt(at).some((x) => x > 1)) &&
     cases.every((_, i) => colorAt(colors, i).every((x) => !(x < 0 || x > 1))));
 
-function best(judged: readonly Judged[], candidates: readonly Candidate[], areClamped = false) {
+function* best(
+  judged: readonly Judged[],
+  candidates: readonly Candidate[],
+  areClamped = false,
+): Work<readonly MistakeId[] | null> {
   let found: readonly MistakeId[] | null = null;
   let least = Infinity;
   for (const { ids, form } of candidates) {
     let strays = 0;
     for (const part of judged) {
-      strays += straysOf(part, form, areClamped);
+      strays += yield* straysOf(part, form, areClamped);
       if (strays >= least) break;
     }
     if (strays < least) {
       [found, least] = [ids, strays];
     }
+    yield;
   }
   return found;
 }
 
 /** How many cases a form does not explain; Infinity where these are too many. */
-function straysOf(part: Judged, form: Form, areClamped: boolean): number {
+function* straysOf(part: Judged, form: Form, areClamped: boolean): Work<number> {
   const { cases, colors, wrong, count, isSheet } = part;
   const differs = (i: number): boolean => {
     const found = colorAt(colors, i);
@@ -225,10 +245,12 @@ function straysOf(part: Judged, form: Form, areClamped: boolean): number {
   strays = 0;
   for (const i of wrong) {
     if (differs(i) && ++strays > most) return Infinity;
+    yield;
   }
   const isWrong = new Set(wrong);
   for (const i of cases.keys()) {
     if (!isWrong.has(i) && differs(i) && ++strays > STRAY * count) return Infinity;
+    yield;
   }
   return strays;
 }
@@ -243,8 +265,6 @@ const SAMPLE = 8;
 
 /** Where a function differs that no mistake explains. */
 export interface Difference {
-  /** Empty where it is not one term alone, or not known. */
-  readonly terms: readonly Term[];
   readonly kinds: readonly LightKind[];
   readonly regions: readonly Region[];
 }
@@ -267,14 +287,8 @@ export const kindOf = ({ position, aperture, cutoff, axis }: Given['light']): Li
       ? 'spot'
       : 'point';
 
-/**
- * In words' parts: terms, kinds of lights and regions that hold nearly all wrong points. `alone`:
- * the same cases with the colours of one term.
- */
-export function differenceOf(
-  { cases, wrong }: Judged,
-  alone: Readonly<Record<Term, Judged>>,
-): Difference {
+/** Kinds of lights and regions that hold nearly all wrong points. */
+export function differenceOf({ cases, wrong }: Judged): Difference {
   const givens = wrong.map((i) => cases[i]![0]!);
   const share = (holds: (given: Given) => boolean): number =>
     givens.filter(holds).length / Math.max(givens.length, 1);
@@ -283,7 +297,6 @@ export function differenceOf(
     ({ holds }) => share((given) => holds(valuesAt(given), given)) > 0.98,
   );
   return {
-    terms: TERMS.filter((term) => !isRight(alone[term])),
     kinds,
     regions: region === undefined ? [] : [region.name],
   };

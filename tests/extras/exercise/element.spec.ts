@@ -199,32 +199,73 @@ test('a lost context and a missing viewer are said, and the next run is a new on
   mount,
   page,
 }) => {
+  // Once, at the call that the page names, in the exercise's own context.
   await page.addInitScript(() => {
-    const { getContext } = HTMLCanvasElement.prototype;
-    HTMLCanvasElement.prototype.getContext = function (
-      this: HTMLCanvasElement,
-      ...rest: unknown[]
-    ) {
-      const context = (getContext as (...all: unknown[]) => WebGL2RenderingContext).apply(
-        this,
-        rest,
-      );
-      const root = document.documentElement;
-      if (root.dataset['lose'] === 'yes' && rest[0] === 'webgl2') {
-        root.dataset['lose'] = 'no';
-        context.getExtension('WEBGL_lose_context')!.loseContext();
-      }
-      return context as never;
-    } as typeof getContext;
+    const calls = WebGL2RenderingContext.prototype as unknown as Record<string, () => unknown>;
+    for (const name of ['createBuffer', 'createShader', 'linkProgram', 'getBufferSubData']) {
+      const call = calls[name]!;
+      calls[name] = function (this: WebGL2RenderingContext, ...given) {
+        const { dataset } = document.documentElement;
+        if (dataset['lose'] === name) {
+          delete dataset['lose'];
+          this.getExtension('WEBGL_lose_context')!.loseContext();
+        }
+        return call.apply(this, given);
+      };
+    }
   });
   await mount(lamp + exercise('', RIGHT), { css });
   await expect(textArea(page)).toBeVisible();
-  await page.evaluate(() => (document.documentElement.dataset['lose'] = 'yes'));
-  await page.getByRole('button', { name: 'Run' }).click();
-  await expect(verdict(page)).toContainText('The graphics driver has stopped.');
-  await runFirst(page);
-  await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+  for (const name of ['createBuffer', 'createShader', 'linkProgram', 'getBufferSubData']) {
+    await page.evaluate((call) => (document.documentElement.dataset['lose'] = call), name);
+    await page.getByRole('button', { name: 'Run' }).click();
+    await expect(page.getByRole('alert'), name).toContainText('The graphics driver has stopped.');
+    await runFirst(page);
+    await expect(verdict(page), name).toContainText('Right: within one 8-bit step at all');
+  }
   await page.locator('phong-exercise').evaluate((element) => element.setAttribute('for', 'w'));
   await page.getByRole('button', { name: 'Run' }).click();
-  await expect(verdict(page)).toContainText('There is no phong-viewer with the id "w".');
+  await expect(page.getByRole('alert')).toContainText('There is no phong-viewer with the id "w".');
+});
+
+test('a run stops where the function changes or the exercise leaves, and the next one counts', async ({
+  mount,
+  page,
+}) => {
+  await mount(lamp + exercise('', NO_CLAMP), { css });
+  await expect(textArea(page)).toBeVisible();
+  const found = await page.locator('phong-exercise').evaluate(async (element, right) => {
+    const own = element as HTMLElement & { value: string };
+    const button = own.shadowRoot!.querySelector('button')!;
+    const mistakes: string[] = [];
+    const checked = (): Promise<void> =>
+      new Promise((resolve) => {
+        own.addEventListener(
+          'check',
+          (event) => {
+            const { detail } = event as CustomEvent<{ readonly mistakes: readonly string[] }>;
+            mistakes.push(detail.mistakes.join());
+            resolve();
+          },
+          { once: true },
+        );
+      });
+    button.click();
+    own.value = right;
+    const first = checked();
+    button.click();
+    await first;
+    button.click();
+    const { parentNode } = own;
+    own.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    parentNode!.append(own);
+    await new Promise((resolve) => setTimeout(resolve));
+    const isFree = button.getAttribute('aria-disabled') === 'false';
+    const second = checked();
+    button.click();
+    await second;
+    return { mistakes, isFree };
+  }, RIGHT);
+  expect(found).toEqual({ mistakes: ['', ''], isFree: true });
 });

@@ -3,7 +3,14 @@
 import type { Locator, Page } from '@playwright/test';
 import { firstOf, fullOr } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
-import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
+import {
+  RECURSIVE,
+  REFUSED_ONES,
+  RIGHT,
+  RIGHT_ONES,
+  UNUSUAL_ONES,
+  WRONG_ONES,
+} from './functions.js';
 
 const css = 'phong-viewer { display: block; width: 150px; height: 100px }';
 const viewer = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus" shininess="20">
@@ -110,6 +117,8 @@ test('what cannot run says why, at its line, and what was written stays', async 
     await expect(one.getByRole('alert'), name).toContainText(reason);
     await expect(one.getByRole('textbox')).toHaveValue(source);
   }
+  await checkOf(one, RECURSIVE);
+  await expect(one.getByRole('alert')).toContainText('A function calls itself: f.');
   const [source] = REFUSED_ONES['a wrong name']!;
   await checkOf(one, source);
   await expect(one.locator('.numbers b')).toHaveText('19');

@@ -13,9 +13,7 @@ describe('is refused with its reason:', () => {
     const reading = checked(source);
     expect(
       'fault' in reading
-        ? reading.fault.text
-            .replace('{name}', reading.fault.values?.['name'] ?? '')
-            .replace('{most}', reading.fault.values?.['most'] ?? '')
+        ? reading.fault.text.replace(/\{(\w+)\}/g, (_all, key) => String(reading.fault.values[key]))
         : '',
     ).toContain(reason);
   });
