@@ -49,7 +49,7 @@ export interface Verdict {
   readonly isGouraud: boolean;
 }
 
-/** Points of each scene: all of a scene in one tile, with those of single terms. */
+/** Points of each scene. */
 const COUNT = 150;
 
 /** Points of each scene that are also lit by one term alone. */
@@ -74,7 +74,7 @@ export async function check(
   try {
     program = new Program();
     const messages = program.build(reading.glsl);
-    if (program.isLost) return LOST;
+    if (program.isLost()) return LOST;
     if (messages.length > 0) return messages;
     const points = sheetOf(task, COUNT);
     const few = points.filter((_, i) => i % COUNT < ALONE);
@@ -84,11 +84,11 @@ export async function check(
       picture?.cases ?? [],
     ];
     const colors = await program.run(parts.flat(), signal);
-    if (program.isLost) return LOST;
+    if (program.isLost()) return LOST;
     if (colors === null) return SLOW;
     return await sliced(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
-    if (program?.isLost === true) return LOST;
+    if (program?.isLost() === true) return LOST;
     if (error instanceof NoContextError) return [faultOf('An exercise needs WebGL 2.')];
     throw error;
   } finally {

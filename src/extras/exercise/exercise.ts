@@ -25,6 +25,8 @@ import { sentencesFor } from './words.js';
 class Exercise extends ExtraElement<ExerciseValues> {
   /** What was written; null while it is the text to begin with. */
   #written: string | null = null;
+  /** What was there before it was started again. */
+  #former: string | null = null;
   /** Of the run that goes on. */
   #running: AbortController | null = null;
   /** The viewer whose texts are followed. */
@@ -75,6 +77,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       this.#stop();
     }
     this.#written = text;
+    this.#former = null;
     this.#render();
   }
 
@@ -112,6 +115,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   startAgain(): void {
     this.#stop();
+    this.#former = this.#written ?? this.#former;
     this.#written = null;
     this.#faults = [];
     this.root.querySelector('textarea')!.value = this.#given;
@@ -242,6 +246,11 @@ class Exercise extends ExtraElement<ExerciseValues> {
           <button part="button" @click=${() => this.startAgain()}>
             ${this.#say('Start again')}
           </button>
+          ${
+            this.#former === null
+              ? nothing
+              : html`<button part="button" @click=${this.#undo}>${this.#say('Undo')}</button>`
+          }
         </p>
         <details>
           <summary>${this.#say('What the function gets')}</summary>
@@ -252,6 +261,12 @@ class Exercise extends ExtraElement<ExerciseValues> {
       <div class="verdict" part="verdict" role="status">${this.#verdict()}</div>
       ${this.#pictures()} ${this.#solution()}`;
   }
+
+  readonly #undo = (): void => {
+    this.value = this.#former!;
+    // The button is gone.
+    this.element.focus();
+  };
 
   readonly #input = ({ target }: Event): void => {
     this.value = (target as HTMLTextAreaElement).value;

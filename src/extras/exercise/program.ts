@@ -108,7 +108,7 @@ export class Program {
   }
 
   /** A driver has given up, or the page has taken the context away. Then any method may throw. */
-  get isLost(): boolean {
+  isLost(): boolean {
     return this.#gl.isContextLost();
   }
 
@@ -181,7 +181,7 @@ export class Program {
       if (performance.now() > end) {
         this.dispose();
       }
-      if (drawn === null || this.isLost) throw new Error('lost');
+      if (drawn === null || this.isLost()) throw new Error('lost');
     } while (gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED);
     gl.deleteSync(drawn);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bits);

@@ -52,6 +52,9 @@ test('nothing runs before run is pressed, and the text to begin with comes back'
   await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
   await page.getByRole('button', { name: 'Start again' }).click();
   await expect(textArea(page)).toHaveValue(NO_CLAMP);
+  // A slip of the finger loses nothing.
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(textArea(page)).toHaveValue(RIGHT);
 });
 
 test('says what is right in this picture only, and shows it under another light', async ({
