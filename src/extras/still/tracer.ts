@@ -163,7 +163,8 @@ export class Tracer {
     const pixel = row * width + column;
     this.#triangles.intersect(pixel, dx, dy, dz, hit);
     const { starts, things } = this.#solidLists;
-    for (let i = starts[pixel]!; i < starts[pixel + 1]!; i++) {
+    // Of two that coincide the first one stays, so the last object comes first.
+    for (let i = starts[pixel + 1]! - 1; i >= starts[pixel]!; i--) {
       const { intersect, object, toShape, toWorld, eye } = this.#solids[things[i]!]!;
       if (!intersect(eye, turned(toShape, dx, dy, dz), hit)) continue;
       [hit.nx, hit.ny, hit.nz] = turned(toWorld, hit.nx, hit.ny, hit.nz);

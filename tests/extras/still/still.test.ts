@@ -40,6 +40,14 @@ describe('a still', () => {
     expect(at(1, MIDDLE)[3]).toBe(255);
   });
 
+  it.each(['box', 'sphere', 'cylinder', 'torus-knot'])('shows the last %s of two', async (name) => {
+    const [red, blue] = ['255 0 0', '0 0 255'].map(
+      (color) => `<phong-mesh geometry="${name}" ka="0" ks="0" kd="${color}"></phong-mesh>`,
+    );
+    const { pixels } = await draw(`<phong-viewer>${red}${blue}</phong-viewer>`);
+    expect(pixels.some((code, i) => i % 4 === 0 && code > 0)).toBe(false);
+  });
+
   it('interpolates the corners’ sums under Gouraud shading', async () => {
     const lamp = '<phong-light position="0.5 0.5 1" specular="0"></phong-light>';
     const { middle } = await draw(front(WALL, 'fov="1" shading="gouraud"', lamp));
