@@ -1,7 +1,7 @@
 // How far are the outlines of one scene from those of another, in pixels? Inner outlines count too,
 // where something hides what is behind it: both are jumps of depth along a row or a column of the
 // picture.
-import { dot, type Vec3 } from '../../src/phong/math/vector.js';
+import { dot } from '../../src/phong/math/vector.js';
 import type { Tracer } from '../../src/extras/still/tracer.js';
 
 interface OutlineErrors {
@@ -31,8 +31,7 @@ export function outlineErrors(truth: Tracer, drawn: Tracer, lines: number): Outl
         isRow ? tracer.hitAt(at, line) : tracer.hitAt(line, at);
       const depth = (tracer: Tracer) => (at: number) => along(tracer)(at).t;
       for (const { at, front } of jumps(depth(truth), 0, long, STEP, LEAST_JUMP)) {
-        const { nx, ny, nz } = along(truth)(front);
-        const normal: Vec3 = [nx, ny, nz];
+        const { normal } = along(truth)(front);
         const [across, upward] = [
           Math.abs(dot(normal, camera.right)),
           Math.abs(dot(normal, camera.up)),

@@ -6,10 +6,10 @@ import { shade, type Shaded } from '../../src/phong/reference/index.js';
 
 /** At a place in the picture; null where nothing is met. */
 export function shadedAt(tracer: Tracer, scene: CastScene, x: number, y: number): Shaded | null {
-  const { t, nx, ny, nz, front, object } = tracer.hitAt(x, y);
+  const { t, normal: outward, front, object } = tracer.hitAt(x, y);
   if (t === Infinity) return null;
   const { eye } = scene.camera;
   const p = add(eye, scale(tracer.screen.direction(x, y), t));
-  const normal = scale([nx, ny, nz], front ? 1 : -1);
+  const normal = scale(outward, front ? 1 : -1);
   return shade({ p, normal, eye }, scene.objects[object]!.material, scene.lights, scene);
 }

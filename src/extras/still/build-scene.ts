@@ -28,7 +28,7 @@ import type {
 import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
-import { columnsOf, isFlattened } from './triangles.js';
+import { columnsOf, countOf, isFlattened } from './placed.js';
 import { measure } from '../../phong/geometry/bounds.js';
 import { type Frustum } from '../../phong/geometry/frustum-clip.js';
 
@@ -77,7 +77,7 @@ export async function castSceneOf(
     const object = await objectOf(part, values, seen);
     const { shape } = object;
     if (shape.kind === 'triangles') {
-      triangles += (shape.index ?? shape.positions).length / (shape.index === undefined ? 9 : 3);
+      triangles += countOf(shape);
       requireAtMost(triangles, LIMITS.triangles, 'triangles', 'The still has');
     }
     objects.push(object);

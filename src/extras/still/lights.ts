@@ -49,19 +49,7 @@ export class LightSums {
   }
 
   /** Sums at a point with unit vectors N (or zero) and V. `n`: the exponent. */
-  at(
-    px: number,
-    py: number,
-    pz: number,
-    nx: number,
-    ny: number,
-    nz: number,
-    vx: number,
-    vy: number,
-    vz: number,
-    n: number,
-    isBlinn: boolean,
-  ): void {
+  at(p: Vec3, N: Vec3, V: Vec3, n: number, isBlinn: boolean): void {
     const { sums, last } = this;
     sums.fill(0);
     let piece = 0;
@@ -72,9 +60,9 @@ export class LightSums {
       let lz = place[2];
       let att = 1;
       if (light.positional) {
-        lx -= px;
-        ly -= py;
-        lz -= pz;
+        lx -= p[0];
+        ly -= p[1];
+        lz -= p[2];
         const far = Math.sqrt(lx * lx + ly * ly + lz * lz);
         const d = far < NEAREST ? 0 : far;
         const k = light.attenuation;
@@ -100,25 +88,25 @@ export class LightSums {
           );
         }
       }
-      const NoL = nx * lx + ny * ly + nz * lz;
+      const NoL = N[0] * lx + N[1] * ly + N[2] * lz;
       piece = Math.imul(piece, 0x9e3779b1) + Number(inside) + 2 * Number(NoL > 0);
       // R and V, or H and N.
-      let rx = 2 * NoL * nx - lx;
-      let ry = 2 * NoL * ny - ly;
-      let rz = 2 * NoL * nz - lz;
+      let rx = 2 * NoL * N[0] - lx;
+      let ry = 2 * NoL * N[1] - ly;
+      let rz = 2 * NoL * N[2] - lz;
       if (isBlinn) {
-        rx = lx + vx;
-        ry = ly + vy;
-        rz = lz + vz;
+        rx = lx + V[0];
+        ry = ly + V[1];
+        rz = lz + V[2];
         const length = Math.sqrt(squared(rx, ry, rz));
         const factor = length > 0 ? 1 / length : 0;
         rx *= factor;
         ry *= factor;
         rz *= factor;
       }
-      const qx = isBlinn ? nx : vx;
-      const qy = isBlinn ? ny : vy;
-      const qz = isBlinn ? nz : vz;
+      const qx = isBlinn ? N[0] : V[0];
+      const qy = isBlinn ? N[1] : V[1];
+      const qz = isBlinn ? N[2] : V[2];
       const RoV = rx * qx + ry * qy + rz * qz;
       last.NoL = NoL;
       last.RoV = RoV;

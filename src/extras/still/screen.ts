@@ -9,9 +9,6 @@ export class Screen {
   readonly height: number;
   readonly slopeX: number;
   readonly slopeY: number;
-  dx = 0;
-  dy = 0;
-  dz = 0;
 
   constructor(camera: CastCamera, width: number, height: number) {
     this.camera = camera;
@@ -23,18 +20,14 @@ export class Screen {
 
   /** The direction of a pixel's ray, of length 1 along the view. */
   direction(x: number, y: number): Vec3 {
-    this.aim(x, y);
-    return [this.dx, this.dy, this.dz];
-  }
-
-  /** The same, written to `dx`, `dy` and `dz`. */
-  aim(x: number, y: number): void {
     const { right, up, back } = this.camera;
     const across = ((2 * x) / this.width - 1) * this.slopeX;
     const upward = (1 - (2 * y) / this.height) * this.slopeY;
-    this.dx = right[0] * across + up[0] * upward - back[0];
-    this.dy = right[1] * across + up[1] * upward - back[1];
-    this.dz = right[2] * across + up[2] * upward - back[2];
+    return [
+      right[0] * across + up[0] * upward - back[0],
+      right[1] * across + up[1] * upward - back[1],
+      right[2] * across + up[2] * upward - back[2],
+    ];
   }
 
   /** Where a place, as seen from the eye, is in the picture. */

@@ -3,11 +3,11 @@
 import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/index.js';
 import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
-import { cross, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { add, cross, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastTexture, TrianglesShape } from './cast-scene.js';
 import type { Hit } from './hit.js';
+import { cornersOf, placed, type PlacedTriangles, turned, unit } from './placed.js';
 import { type Decode, readTexture } from './texture.js';
-import { columnsOf, cornersOf, type Placed, transformedAll, unitAt } from './triangles.js';
 
 const BYTES = Float64Array.from({ length: 256 }, (_, code) => code / 255);
 const DECODED = BYTES.map(srgbDecode);
@@ -16,6 +16,7 @@ const DECODED = BYTES.map(srgbDecode);
 export class ObjectSurface {
   readonly object: CastObject;
   readonly isBlinn: boolean;
+  readonly placed: ReturnType<typeof placed>;
   /** Ka, Kd and Ks as they enter the sum, with what textures and vertex colours multiply. */
   readonly #ka: Vec3;
   readonly #kd: Vec3;
@@ -25,13 +26,10 @@ export class ObjectSurface {
   readonly #shape: TrianglesShape | null;
   /** Of vertices, as they are interpolated: under `linear` in linear light. */
   readonly #colors: ArrayLike<number> | undefined;
-  readonly #placed: Placed | null;
-  readonly #tangents: Float64Array | null;
   readonly #linear: boolean;
   readonly #decode: Decode;
 
-  /** @param placed of triangles; null for a true shape. */
-  constructor(object: CastObject, placed: Placed | null, options: ReferenceOptions) {
+  constructor(object: CastObject, eye: Vec3, options: ReferenceOptions) {
     const { material, shape } = object;
     const { linear = false, terms = ['ambient', 'diffuse', 'specular'] } = options;
     this.object = object;
@@ -50,18 +48,9 @@ export class ObjectSurface {
       colors !== undefined && linear && !linearColors
         ? Float64Array.from(colors, (c, i) => (i % 4 === 3 ? c : srgbDecode(c)))
         : colors;
-    this.#placed = placed;
+    this.placed = placed(shape, object.matrix, eye);
     this.#linear = linear;
     this.#decode = linear ? DECODED : BYTES;
-    const matrix = columnsOf(object.matrix);
-    const tangents = this.#shape?.tangents;
-    this.#tangents =
-      material.normalTexture === undefined || tangents === undefined
-        ? null
-        : transformedAll(tangents, 4, matrix, BLACK);
-    for (let i = 0; this.#tangents !== null && i < this.#tangents.length; i += 3) {
-      unitAt(this.#tangents, i);
-    }
   }
 
   /** The opacity at a hit, before `alphaMode`. */
@@ -121,32 +110,29 @@ export class ObjectSurface {
   /** Writes the unit normal on the side that is seen to the hit; zero where there is none. */
   turn(hit: Hit): void {
     const { shading, normalTexture, normalScale = 1 } = this.object.material;
-    const placed = this.#placed;
-    if (placed !== null && shading === 'flat') {
-      this.#faceNormal(hit, placed);
-    } else if (placed !== null) {
-      hit.nx = this.mix(placed.normals, 3, 0, hit);
-      hit.ny = this.mix(placed.normals, 3, 1, hit);
-      hit.nz = this.mix(placed.normals, 3, 2, hit);
+    const { placed } = this;
+    let normal: Vec3;
+    if (placed.kind === 'true') {
+      normal = turned(placed.toWorld, hit.normal);
+    } else if (shading === 'flat') {
+      normal = faceNormal(placed, hit.triangle);
+    } else {
+      normal = this.#mixed(placed.normals, hit);
+      if (normalTexture !== undefined && placed.tangents.length > 0) {
+        this.#read(normalTexture, hit, BYTES);
+        const tilt = Array.from(texel, (c) => c * 2 - 1) as [number, number, number];
+        const x = this.#mixed(placed.tangents, hit);
+        const z = unit(normal);
+        const side = this.mix(this.#shape!.tangents!, 4, 3, hit) * (placed.mirrored ? -1 : 1);
+        const y = scale(cross(z, x), tilt[1] * side);
+        normal = add(scale(add(scale(x, tilt[0]), y), normalScale), scale(z, tilt[2]));
+      }
     }
-    const tangents = this.#tangents;
-    if (normalTexture !== undefined && tangents !== null && shading !== 'flat') {
-      unit(hit, 1);
-      this.#read(normalTexture, hit, BYTES);
-      const [tx, ty, tz] = [texel[0]! * 2 - 1, texel[1]! * 2 - 1, texel[2]! * 2 - 1];
-      const [x, y, z] = [0, 1, 2].map((k) => this.mix(tangents, 3, k, hit)) as [
-        number,
-        number,
-        number,
-      ];
-      const side = this.mix(this.#shape!.tangents!, 4, 3, hit) * (placed!.mirrored ? -1 : 1);
-      const { nx, ny, nz } = hit;
-      const s = normalScale;
-      hit.nx = s * (tx * x + ty * side * (ny * z - nz * y)) + tz * nx;
-      hit.ny = s * (tx * y + ty * side * (nz * x - nx * z)) + tz * ny;
-      hit.nz = s * (tx * z + ty * side * (nx * y - ny * x)) + tz * nz;
-    }
-    unit(hit, hit.front ? 1 : -1);
+    hit.normal = unit(normal, hit.front ? 1 : -1);
+  }
+
+  #mixed(values: Float64Array, hit: Hit): Vec3 {
+    return [this.mix(values, 3, 0, hit), this.mix(values, 3, 1, hit), this.mix(values, 3, 2, hit)];
   }
 
   /** The mean of the corners' values, `size` numbers each, by the hit's shares. */
@@ -175,45 +161,25 @@ export class ObjectSurface {
     const uv = this.#shape?.uvs?.[texture.uv ?? 0] ?? NO_UV;
     readTexture(texture, this.mix(uv, 2, 0, hit), this.mix(uv, 2, 1, hit), decode, texel);
   }
+}
 
-  /** The triangle's own, on the side that its corners turn to. */
-  #faceNormal(hit: Hit, placed: Placed): void {
-    const [a, b, c] = cornersOf(placed, hit.triangle);
-    const side = placed.mirrored ? -1 : 1;
-    [hit.nx, hit.ny, hit.nz] = scale(cross(subtract(b, a), subtract(c, a)), side);
-  }
+/** The triangle's own, on the side that its corners turn to. */
+function faceNormal(placed: PlacedTriangles, triangle: number): Vec3 {
+  const [a, b, c] = cornersOf(placed, triangle) as [Vec3, Vec3, Vec3];
+  return scale(cross(subtract(b, a), subtract(c, a)), placed.mirrored ? -1 : 1);
 }
 
 /** Colours 0–1, decoded where shading is linear. */
-export interface SurfacePoint {
+export class SurfacePoint {
   /** The base colour. */
-  readonly base: [number, number, number];
-  readonly ka: [number, number, number];
-  readonly kd: [number, number, number];
-  readonly ks: [number, number, number];
-  readonly emissive: [number, number, number];
+  readonly base: [number, number, number] = [1, 1, 1];
+  readonly ka: [number, number, number] = [0, 0, 0];
+  readonly kd: [number, number, number] = [0, 0, 0];
+  readonly ks: [number, number, number] = [0, 0, 0];
+  readonly emissive: [number, number, number] = [0, 0, 0];
   /** Exponent. */
-  n: number;
-  alpha: number;
-}
-
-export const newSurfacePoint = (): SurfacePoint => ({
-  base: [1, 1, 1],
-  ka: [0, 0, 0],
-  kd: [0, 0, 0],
-  ks: [0, 0, 0],
-  emissive: [0, 0, 0],
-  n: 0,
-  alpha: 1,
-});
-
-/** Makes the hit's normal unit, times `side`. Zero stays zero. */
-function unit(hit: Hit, side: number): void {
-  const length = Math.sqrt(hit.nx * hit.nx + hit.ny * hit.ny + hit.nz * hit.nz);
-  const factor = length > 0 ? side / length : 0;
-  hit.nx *= factor;
-  hit.ny *= factor;
-  hit.nz *= factor;
+  n = 0;
+  alpha = 1;
 }
 
 const RGB = [0, 1, 2] as const;

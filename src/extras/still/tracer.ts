@@ -1,32 +1,22 @@
 // What a ray from the eye sees of a scene: the nearest surfaces, and their colour by the equation.
 import { srgbEncode } from '../../phong/math/color.js';
-import { add, clamp, cross, dot, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { clamp, cross, dot, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastScene } from './cast-scene.js';
-import { type Hit, type Intersect, newHit } from './hit.js';
+import { Hit } from './hit.js';
 import { LightSums } from './lights.js';
-import { boxOf, type PixelLists, pixelLists } from './pixel-lists.js';
-import { Screen } from './screen.js';
-import { newSurfacePoint, ObjectSurface } from './surfaces.js';
+import { PixelLists } from './pixel-lists.js';
 import {
-  type Accepts,
   columnsOf,
+  cornersOf,
+  countOf,
   isFlattened,
-  type Placed,
-  Triangles,
-  type Vec3Matrix,
-} from './triangles.js';
-import { trueShape } from './true-shapes.js';
-
-/** A true shape in the scene. */
-interface Solid {
-  readonly intersect: Intersect;
-  readonly object: number;
-  /** Directions and normals between world and shape. */
-  readonly toShape: Vec3Matrix;
-  readonly toWorld: Vec3Matrix;
-  /** The eye, in the shape's space. */
-  readonly eye: Vec3;
-}
+  type PlacedTriangles,
+  turned,
+  unit,
+  vectorAt,
+} from './placed.js';
+import { Screen } from './screen.js';
+import { ObjectSurface, SurfacePoint } from './surfaces.js';
 
 /** One sample, written over by the next. */
 export interface Sample {
@@ -53,70 +43,78 @@ export class Tracer {
   /** A highlight may be narrower than the points of a pixel are apart. */
   readonly hasNarrowLobes: boolean;
   readonly #scene: CastScene;
-  readonly #solids: Solid[] = [];
-  readonly #solidLists: PixelLists;
-  readonly #triangles: Triangles;
   readonly #lights: LightSums;
   readonly #surfaces: readonly ObjectSurface[];
-  readonly #placed: (Placed | null)[] = [];
+  /** By object: whether a hit counts; undefined where every one does. */
+  readonly #accepts: readonly (((hit: Hit) => boolean) | undefined)[];
+  readonly #lists: PixelLists;
+  /** By thing: its object, and which triangle of it; -1 for a true shape. */
+  readonly #objects: Int32Array;
+  readonly #triangles: Int32Array;
+  /** By thing, {@link STRIDE} numbers of a triangle. */
+  readonly #volumes: Float64Array;
   /** By object: its light sums at each vertex, from the front and from behind. */
   readonly #vertexSums = new Map<number, Float64Array>();
   /** Place of each object in the order in which blended ones are drawn: the farthest first. */
   readonly #ranks: readonly number[];
-  readonly #hit = newHit();
+  /** The direction of the last ray. */
+  #d: Vec3 = [0, 0, 0];
+  #hit = new Hit();
+  /** Where a hit is written before it is known to count. */
+  #next = new Hit();
   /** The blended surfaces on the last ray. */
-  readonly #layers: Hit[] = [];
-  readonly #point = newSurfacePoint();
+  #layers: Hit[] = [];
+  readonly #point = new SurfacePoint();
   readonly #color: [number, number, number] = [0, 0, 0];
 
   constructor(scene: CastScene, width: number, height: number) {
+    const { objects, camera, lights, linear = false } = scene;
     this.#scene = scene;
-    this.screen = new Screen(scene.camera, width, height);
-    this.hasNarrowLobes = scene.objects.some(
+    this.screen = new Screen(camera, width, height);
+    this.hasNarrowLobes = objects.some(
       ({ material }) => material.shininess > LARGEST_WIDE_EXPONENT,
     );
-    this.#lights = new LightSums(scene.lights, scene.camera, scene.linear ?? false);
-    this.#triangles = new Triangles(this.screen);
-    const { eye, back } = scene.camera;
-    const depths = scene.objects.map(({ matrix }) =>
-      dot(subtract(eye, columnsOf(matrix).origin), back),
-    );
+    this.#lights = new LightSums(lights, camera, linear);
+    const { eye, back } = camera;
+    const depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
     const order = depths.map((_, i) => i).sort((i, j) => depths[j]! - depths[i]! || i - j);
     this.#ranks = depths.map((_, i) => order.indexOf(i));
-    const boxes: number[] = [];
-    this.#surfaces = scene.objects.map((object, i) => this.#add(object, i, boxes));
-    this.#triangles.sort();
-    this.#solidLists = pixelLists(boxes, this.screen);
+    const most = objects.reduce((sum, { shape }) => sum + countOf(shape), 0);
+    this.#lists = new PixelLists(this.screen, most);
+    this.#objects = new Int32Array(most);
+    this.#triangles = new Int32Array(most);
+    this.#volumes = new Float64Array(STRIDE * most);
+    this.#surfaces = objects.map((object) => new ObjectSurface(object, eye, scene));
+    this.#surfaces.forEach((surface, i) => this.#list(surface, i));
+    this.#lists.sort();
+    this.#accepts = objects.map((object, i) => this.#acceptorOf(object, i));
   }
 
-  /** `boxes`: of the solids. */
-  #add(object: CastObject, i: number, boxes: number[]): ObjectSurface {
-    const { shape } = object;
-    const matrix = columnsOf(object.matrix);
-    let placed: Placed | null = null;
-    if (shape.kind === 'triangles') {
-      placed = this.#triangles.add(shape, i, matrix, this.#acceptorOf(object, i));
-    } else {
-      const center = subtract(matrix.origin, this.#scene.camera.eye);
-      const box = boxOf(cubeOf(matrix, center), this.screen);
-      if (box !== null) {
-        this.#solids.push(solidOf(trueShape(shape), i, matrix, center));
-        boxes.push(...box);
-      }
+  #list({ placed, object: { shape } }: ObjectSurface, object: number): void {
+    const isTrue = placed.kind === 'true';
+    for (let triangle = 0; triangle < countOf(shape); triangle++) {
+      const corners = isTrue ? placed.cube : cornersOf(placed, triangle);
+      const thing = this.#lists.count;
+      if (!this.#lists.add(corners)) continue;
+      this.#objects[thing] = object;
+      this.#triangles[thing] = isTrue ? -1 : triangle;
+      // All numbers of a true shape stay 0: each ray meets what they stand for.
+      if (isTrue) continue;
+      const [a, b, c] = corners as [Vec3, Vec3, Vec3];
+      const bc = cross(b, c);
+      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], STRIDE * thing);
     }
-    this.#placed.push(placed);
-    return new ObjectSurface(object, placed, this.#scene);
   }
 
   /** Undefined where every hit counts. */
-  #acceptorOf({ material, matrix }: CastObject, i: number): Accepts | undefined {
+  #acceptorOf({ material, matrix }: CastObject, i: number): ((hit: Hit) => boolean) | undefined {
     const { alphaMode = 'opaque', alphaCutoff = 0.5, single = false } = material;
     const culls = single && !isFlattened(columnsOf(matrix));
     if (!culls && alphaMode === 'opaque') return undefined;
     return (hit) => {
       if (culls && !hit.front) return false;
       if (alphaMode === 'blend') {
-        this.#layers.push({ ...hit });
+        this.#layers.push(Object.assign(new Hit(), hit));
       }
       return alphaMode === 'mask'
         ? this.#surfaces[i]!.opacityAt(hit) >= alphaCutoff
@@ -127,9 +125,8 @@ export class Tracer {
   /** False: no ray through this pixel meets anything. */
   mayMeet(column: number, row: number): boolean {
     const pixel = row * this.screen.width + column;
-    const { starts } = this.#solidLists;
-    if (starts[pixel]! < starts[pixel + 1]!) return true;
-    return this.#triangles.meets(pixel);
+    const { starts } = this.#lists;
+    return starts[pixel]! < starts[pixel + 1]!;
   }
 
   /**
@@ -138,7 +135,7 @@ export class Tracer {
    */
   hitAt(x: number, y: number): Readonly<Hit> {
     const hit = this.#trace(x, y);
-    if (hit.t < Infinity && hit.triangle >= 0) {
+    if (hit.t < Infinity) {
       const { front } = hit;
       hit.front = true;
       this.#surfaces[hit.object]!.turn(hit);
@@ -148,30 +145,59 @@ export class Tracer {
   }
 
   #trace(x: number, y: number): Hit {
-    const { screen } = this;
-    const { width, height } = screen;
-    screen.aim(x, y);
-    const { dx, dy, dz } = screen;
-    const hit = this.#hit;
-    hit.t = Infinity;
-    hit.triangle = -1;
-    if (this.#layers.length > 0) {
-      this.#layers.length = 0;
-    }
+    const { width, height } = this.screen;
     const column = clamp(Math.floor(x), 0, width - 1);
     const row = clamp(Math.floor(y), 0, height - 1);
-    const pixel = row * width + column;
-    this.#triangles.intersect(pixel, dx, dy, dz, hit);
-    const { starts, things } = this.#solidLists;
-    // Of two that coincide the first one stays, so the last object comes first.
-    for (let i = starts[pixel + 1]! - 1; i >= starts[pixel]!; i--) {
-      const { intersect, object, toShape, toWorld, eye } = this.#solids[things[i]!]!;
-      if (!intersect(eye, turned(toShape, dx, dy, dz), hit)) continue;
-      [hit.nx, hit.ny, hit.nz] = turned(toWorld, hit.nx, hit.ny, hit.nz);
-      hit.object = object;
-      hit.triangle = -1;
+    const { starts, things, nears } = this.#lists;
+    const end = starts[row * width + column + 1]!;
+    this.#d = this.screen.direction(x, y);
+    if (this.#layers.length > 0) {
+      this.#layers = [];
     }
-    return hit;
+    this.#hit.t = Infinity;
+    for (let i = starts[row * width + column]!; i < end; i++) {
+      const thing = things[i]!;
+      const hit = this.#hit;
+      if (nears[thing]! > hit.t) break;
+      const next = this.#next;
+      if (!this.#meets(thing, hit.t, next)) continue;
+      next.thing = thing;
+      next.object = this.#objects[thing]!;
+      if (this.#accepts[next.object]?.(next) === false) continue;
+      // Of two that coincide the last one shows.
+      if (next.t === hit.t && thing < hit.thing) continue;
+      this.#hit = next;
+      this.#next = hit;
+    }
+    return this.#hit;
+  }
+
+  /** Whether the last ray meets the thing, not farther than `most`. Writes where. */
+  #meets(thing: number, most: number, hit: Hit): boolean {
+    const d = this.#d;
+    const [dx, dy, dz] = [d[0], d[1], d[2]];
+    const volumes = this.#volumes;
+    const at = STRIDE * thing;
+    const a = dx * volumes[at]! + dy * volumes[at + 1]! + dz * volumes[at + 2]!;
+    const b = dx * volumes[at + 3]! + dy * volumes[at + 4]! + dz * volumes[at + 5]!;
+    const c = dx * volumes[at + 6]! + dy * volumes[at + 7]! + dz * volumes[at + 8]!;
+    if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0))) return false;
+    const sum = a + b + c;
+    const t = volumes[at + 9]! / sum;
+    if (t <= 0 || t > most) return false; // NaN of a true shape
+    const { placed } = this.#surfaces[this.#objects[thing]!]!;
+    hit.triangle = this.#triangles[thing]!;
+    if (placed.kind === 'true') {
+      hit.t = Infinity;
+      return placed.intersect(placed.eye, turned(placed.toShape, d), hit) && hit.t <= most;
+    }
+    if (Number.isNaN(t)) return false;
+    hit.t = t;
+    hit.front = sum < 0 !== placed.mirrored;
+    hit.a = a / sum;
+    hit.b = b / sum;
+    hit.c = c / sum;
+    return true;
   }
 
   /** What is drawn at a place in the picture. */
@@ -209,7 +235,6 @@ export class Tracer {
 
   /** Writes colour and opacity at a hit, and returns its piece. */
   #shade(hit: Hit): number {
-    const { dx, dy, dz } = this.screen;
     const surface = this.#surfaces[hit.object]!;
     const { material } = surface.object;
     const { quantity, linear = false } = this.#scene;
@@ -222,29 +247,13 @@ export class Tracer {
         color[i as 0] = point.base[i as 0];
       }
     } else {
-      const isGouraud = quantity === undefined && material.shading === 'gouraud';
       let sums: Float64Array = this.#lights.sums;
-      if (isGouraud && this.#placed[hit.object] !== null) {
+      if (quantity === undefined && material.shading === 'gouraud' && hit.triangle >= 0) {
         sums = this.#mixedSums(hit, surface);
       } else {
         surface.turn(hit);
-        const [px, py, pz] = [hit.t * dx, hit.t * dy, hit.t * dz];
-        const away = -1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-        const { nx, ny, nz } = hit;
-        const { n } = point;
-        this.#lights.at(
-          px,
-          py,
-          pz,
-          nx,
-          ny,
-          nz,
-          away * dx,
-          away * dy,
-          away * dz,
-          n,
-          surface.isBlinn,
-        );
+        const d = this.#d;
+        this.#lights.at(scale(d, hit.t), hit.normal, unit(d, -1), point.n, surface.isBlinn);
         piece = Math.imul(piece, 0x9e3779b1) + this.#lights.piece;
       }
       if (material.shading === 'flat') {
@@ -266,9 +275,9 @@ export class Tracer {
     return piece | 0;
   }
 
-  #measure({ nx, ny, nz }: Hit, quantity: NonNullable<CastScene['quantity']>): void {
+  #measure({ normal }: Hit, quantity: NonNullable<CastScene['quantity']>): void {
     if (quantity === 'normals') {
-      this.#color.splice(0, 3, (nx + 1) / 2, (ny + 1) / 2, (nz + 1) / 2);
+      this.#color.splice(0, 3, ...map(normal, (x) => (x + 1) / 2));
       return;
     }
     const { NoL, RoV, att, decay } = this.#lights.last;
@@ -280,7 +289,7 @@ export class Tracer {
   #mixedSums(hit: Hit, surface: ObjectSurface): Float64Array {
     let all = this.#vertexSums.get(hit.object);
     if (all === undefined) {
-      all = this.#sumsOf(this.#placed[hit.object]!, surface);
+      all = this.#sumsOf(surface);
       this.#vertexSums.set(hit.object, all);
     }
     const first = hit.front ? 0 : 9;
@@ -290,16 +299,14 @@ export class Tracer {
     return mixed;
   }
 
-  #sumsOf({ places, normals }: Placed, { object, isBlinn }: ObjectSurface): Float64Array {
+  #sumsOf({ placed, object, isBlinn }: ObjectSurface): Float64Array {
+    const { places, normals } = placed as PlacedTriangles;
     const sums = new Float64Array(6 * places.length);
-    const n = object.material.shininess;
     for (let i = 0; i < places.length; i += 3) {
-      const [px, py, pz] = [places[i]!, places[i + 1]!, places[i + 2]!];
-      const far = Math.sqrt(px * px + py * py + pz * pz);
-      const away = far > 0 ? -1 / far : 0;
+      const p = vectorAt(places, i);
       for (const side of [1, -1]) {
-        const [nx, ny, nz] = [side * normals[i]!, side * normals[i + 1]!, side * normals[i + 2]!];
-        this.#lights.at(px, py, pz, nx, ny, nz, away * px, away * py, away * pz, n, isBlinn);
+        const N = scale(vectorAt(normals, i), side);
+        this.#lights.at(p, N, unit(p, -1), object.material.shininess, isBlinn);
         sums.set(this.#lights.sums, 6 * i + (side === 1 ? 0 : 9));
       }
     }
@@ -307,35 +314,8 @@ export class Tracer {
   }
 }
 
+/** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
+const STRIDE = 10;
+
 /** Of one hit. */
 const mixed = new Float64Array(9);
-
-const turned = ({ x, y, z }: Vec3Matrix, a: number, b: number, c: number): Vec3 => [
-  x[0] * a + y[0] * b + z[0] * c,
-  x[1] * a + y[1] * b + z[1] * c,
-  x[2] * a + y[2] * b + z[2] * c,
-];
-
-/** The corners of the cube of side 1 that holds a true shape, as seen from the eye. */
-const cubeOf = ({ x, y, z }: Vec3Matrix, center: Vec3): readonly Vec3[] =>
-  Array.from({ length: 8 }, (_, k) =>
-    [x, y, z].reduce((sum, axis, i) => add(sum, scale(axis, ((k >> i) & 1) - 0.5)), center),
-  );
-
-/** `center`: as seen from the eye. */
-function solidOf(intersect: Intersect, object: number, matrix: Vec3Matrix, center: Vec3): Solid {
-  const { x, y, z, origin } = matrix;
-  const rows = [cross(y, z), cross(z, x), cross(x, y)] as const; // of the adjugate
-  const determinant = dot(x, rows[0]);
-  // The inverse by its rows is the cofactors' transpose over the determinant; as columns, the
-  // inverse transpose.
-  const [a, b, c] = [0, 1, 2].map((i) => scale(rows[i as 0], 1 / determinant)) as [
-    Vec3,
-    Vec3,
-    Vec3,
-  ];
-  const column = (i: 0 | 1 | 2): Vec3 => [a[i], b[i], c[i]];
-  const toShape = { x: column(0), y: column(1), z: column(2), origin };
-  const eye = turned(toShape, -center[0], -center[1], -center[2]);
-  return { intersect, object, toShape, toWorld: { x: a, y: b, z: c, origin }, eye };
-}

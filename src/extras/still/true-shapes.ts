@@ -10,7 +10,7 @@ const HALF_HEIGHT = 0.5;
 const RING = 0.35;
 const TUBE = 0.15;
 
-export const trueShape = ({ kind }: TrueShape): Intersect =>
+export const trueShape = (kind: TrueShape['kind']): Intersect =>
   ({ sphere, cylinder, cone, torus })[kind];
 
 /** The place at `t` on a ray. */
@@ -23,7 +23,7 @@ const at = (o: Vec3, d: Vec3, t: number): Vec3 => add(o, scale(d, t));
 function offer(hit: Hit, t: number, d: Vec3, n: Vec3): boolean {
   if (!(t > 0 && t < hit.t)) return false;
   hit.t = t;
-  [hit.nx, hit.ny, hit.nz] = n;
+  hit.normal = n;
   hit.front = dot(n, d) < 0;
   return true;
 }

@@ -47,7 +47,7 @@ it('has the light sums of the reference', () => {
       const N = normalize(n);
       const V = normalize(map(p, (x) => -x));
       const sums = new LightSums(lights, camera, linear);
-      sums.at(...p, ...N, ...V, shininess, isBlinn);
+      sums.at(p, N, V, shininess, isBlinn);
       const surface = { ...white, shininess };
       const options = { camera, linear, reflection: isBlinn ? 'blinn-phong' : 'phong' } as const;
       const { shares } = shade({ p: add(eye, p), normal: N, eye }, surface, lights, options);

@@ -1,8 +1,8 @@
 // Are vertex colours mixed in the light that they are stored in, as in the picture of the viewer?
 import { expect, it } from 'vitest';
 import { srgbEncode } from '../../../src/phong/math/color.js';
-import { newHit } from '../../../src/extras/still/hit.js';
-import { newSurfacePoint, ObjectSurface } from '../../../src/extras/still/surfaces.js';
+import { Hit } from '../../../src/extras/still/hit.js';
+import { ObjectSurface, SurfacePoint } from '../../../src/extras/still/surfaces.js';
 
 it.each([
   ['encoded ones in sRGB', false, false, 0.5],
@@ -20,8 +20,8 @@ it.each([
   const white = [255, 255, 255] as const;
   const material = { ka: white, kd: white, ks: white, shininess: 1, unlit: true };
   const options = { linear } as ConstructorParameters<typeof ObjectSurface>[2];
-  const point = newSurfacePoint();
-  const surface = new ObjectSurface({ shape, material }, null, options);
-  surface.at({ ...newHit(), triangle: 0, a: 0.5, b: 0.5 }, point);
+  const point = new SurfacePoint();
+  const surface = new ObjectSurface({ shape, material }, [0, 0, 0], options);
+  surface.at({ ...new Hit(), triangle: 0, a: 0.5, b: 0.5 }, point);
   expect(point.base.map((c) => c.toFixed(12))).toEqual([half, half, 0].map((c) => c.toFixed(12)));
 });

@@ -126,8 +126,8 @@ it.each(CASES)(
       };
       /** Null where nothing is met. */
       const hitAt = (x: number, y: number): { readonly t: number; readonly N: Vec3 } | null => {
-        const { t, nx, ny, nz } = truth.hitAt(x, y);
-        return t === Infinity ? null : { t, N: normalize([nx, ny, nz]) };
+        const { t, normal } = truth.hitAt(x, y);
+        return t === Infinity ? null : { t, N: normalize(normal) };
       };
       let [inside, close] = [0, 0];
       for (let k = 0; k < PIXELS; k++) {
