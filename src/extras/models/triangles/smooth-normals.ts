@@ -50,23 +50,21 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
   const fan = new Fan();
   let pairs = 0;
   for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
-    const start = starts[vertex]!;
+    let from = starts[vertex]!;
     const end = starts[vertex + 1]!;
-    const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
+    const smoothed = end - from <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
     if (smoothed) {
-      pairs += (end - start) * (end - start);
+      pairs += (end - from) * (end - from);
     }
-    for (let from = start; from < end; from += FAN_LIMIT) {
-      const corners = around.subarray(from, Math.min(from + FAN_LIMIT, end));
-      if (slices.took(corners.length * (1 + corners.length / 64))) {
+    do {
+      const count = Math.min(end - from, FAN_LIMIT);
+      if (slices.took(1 / 64 + count * (1 + count / 64))) {
         await slices.pause();
       }
-      fan.load(corners, lists, faces);
-      fan.write(corners, lists, smoothed);
-    }
-    if (start === end && slices.took(1 / 64)) {
-      await slices.pause();
-    }
+      fan.load(around, from, count, lists, faces);
+      fan.write(lists, smoothed);
+      from += FAN_LIMIT;
+    } while (from < end);
   }
   free(starts, around, faces.normals, faces.angles);
 }
@@ -77,6 +75,9 @@ class Fan {
   readonly #y = new Float64Array(FAN_LIMIT);
   readonly #z = new Float64Array(FAN_LIMIT);
   readonly #angles = new Float64Array(FAN_LIMIT);
+  /** How many there are. */
+  #count = 0;
+  readonly #corners = new Int32Array(FAN_LIMIT);
   readonly #triangles = new Int32Array(FAN_LIMIT);
   readonly #groups = new Int32Array(FAN_LIMIT).fill(UNSTATED);
   /** The corners of its face before and after each corner, or those of its triangle. */
@@ -85,14 +86,22 @@ class Fan {
   /** The mean normal of the faces that are smoothed with the last one asked for; any length. */
   readonly #sum: FaceVector = { x: 0, y: 0, z: 0 };
 
-  load(corners: Uint32Array, lists: CornerLists, { normals, angles }: Faces): void {
+  load(
+    around: Uint32Array,
+    from: number,
+    count: number,
+    lists: CornerLists,
+    { normals, angles }: Faces,
+  ): void {
     const { groups } = lists;
     const vertices = lists.corners.array;
     const stated = groups.length > 0;
-    for (let i = 0; i < corners.length; i += 1) {
-      const corner = corners[i]!;
+    this.#count = count;
+    for (let i = 0; i < count; i += 1) {
+      const corner = around[from + i]!;
       const triangle = (corner / 3) | 0;
       const first = 3 * triangle;
+      this.#corners[i] = corner;
       this.#triangles[i] = triangle;
       this.#x[i] = normals[first]!;
       this.#y[i] = normals[first + 1]!;
@@ -104,9 +113,9 @@ class Fan {
       this.#after[i] = vertices[first + ((corner - first + 1) % 3)]!;
     }
     if (!stated) return;
-    for (let first = 0, i = 1; i <= corners.length; i += 1) {
+    for (let first = 0, i = 1; i <= count; i += 1) {
       const triangle = this.#triangles[i]!;
-      const goesOn = i < corners.length && triangle === this.#triangles[i - 1]! + 1;
+      const goesOn = i < count && triangle === this.#triangles[i - 1]! + 1;
       if (goesOn && lists.joined.array[triangle] === 1) continue;
       if (i - first > 1) {
         this.#joinFace(first, i);
@@ -136,39 +145,39 @@ class Fan {
   /**
    * Gives each of the corners a normal. @param smoothed whether it may be that of several faces.
    */
-  write(corners: Uint32Array, lists: CornerLists, smoothed: boolean): void {
+  write(lists: CornerLists, smoothed: boolean): void {
     const first = lists.normals.length / 3;
     const sum = this.#sum;
     let isOne = false;
-    for (let i = 0; i < corners.length; i += 1) {
+    for (let i = 0; i < this.#count; i += 1) {
       if (!isOne) {
         if (smoothed) {
-          this.#smooth(i, corners.length);
+          this.#smooth(i);
         } else {
           this.#takeOwn(i);
         }
         lists.pushNormal(sum.x, sum.y, sum.z);
       }
-      lists.cornerNormals.array[corners[i]!] = isOne ? first : mergedWithLast(lists, first);
+      lists.cornerNormals.array[this.#corners[i]!] = isOne ? first : mergedWithLast(lists, first);
       if (i === 0) {
-        isOne = smoothed && this.#areOne(corners.length);
+        isOne = smoothed && this.#areOne();
       }
     }
   }
 
   /** Whether the sum is that of all faces, for each of them: so it is around most vertices. */
-  #areOne(count: number): boolean {
+  #areOne(): boolean {
     const { x, y, z } = this.#sum;
     const least = HALF_CREASE_COSINE * Math.sqrt(x * x + y * y + z * z);
     const group = this.#groups[0]!;
-    for (let i = 0; i < count; i += 1) {
+    for (let i = 0; i < this.#count; i += 1) {
       const along = x * this.#x[i]! + y * this.#y[i]! + z * this.#z[i]!;
       if (!(along >= least) || this.#groups[i] !== group || group === FACETED) return false;
     }
     return least > 0;
   }
 
-  #smooth(i: number, count: number): void {
+  #smooth(i: number): void {
     const x = this.#x[i]!;
     const y = this.#y[i]!;
     const z = this.#z[i]!;
@@ -177,14 +186,14 @@ class Fan {
     const least =
       group === UNSTATED
         ? CREASE_COSINE
-        : group !== FACETED && this.#hasOtherSide(i, count)
+        : group !== FACETED && this.#hasOtherSide(i)
           ? 0
           : -Infinity;
     let sumX = 0;
     let sumY = 0;
     let sumZ = 0;
     let weights = 0;
-    for (let j = 0; j < count; j += 1) {
+    for (let j = 0; j < this.#count; j += 1) {
       const otherX = this.#x[j]!;
       const otherY = this.#y[j]!;
       const otherZ = this.#z[j]!;
@@ -214,12 +223,12 @@ class Fan {
    * Whether the sheet around this vertex is written twice, front and back: a face of the same group
    * looks the other way and has the same edge in the same direction, or both edges reversed.
    */
-  #hasOtherSide(i: number, count: number): boolean {
+  #hasOtherSide(i: number): boolean {
     const x = this.#x[i]!;
     const y = this.#y[i]!;
     const z = this.#z[i]!;
     const [before, after, group] = [this.#before[i], this.#after[i], this.#groups[i]];
-    for (let j = 0; j < count; j += 1) {
+    for (let j = 0; j < this.#count; j += 1) {
       const isSame = this.#before[j] === before || this.#after[j] === after;
       const isTwin = this.#before[j] === after && this.#after[j] === before;
       if (j === i || !(isSame || isTwin) || this.#groups[j] !== group) continue;

@@ -24,7 +24,8 @@ export async function keepSoundFaces(
   leftOut: LeftOut,
   slices: Slices,
 ): Promise<void> {
-  const { joined, triangles } = lists;
+  const { corners, cornerNormals, cornerUvs, joined, triangles } = lists;
+  const refers = cornerUvs.length + cornerNormals.length > 0;
   /** What the face refers to although it is not there. */
   const misses = { uv: 0, normal: 0 };
   for (let first = 0; first < triangles;) {
@@ -37,16 +38,15 @@ export async function keepSoundFaces(
       isSound &&= areThere(lists, 3 * end);
       end += 1;
     } while (end < triangles && joined.array[end] === 1);
-    leftOut.add('face', isSound ? 0 : 1);
-    for (let triangle = first; triangle < end; triangle += 1) {
+    if (!isSound) {
+      leftOut.add('face');
+      corners.array.fill(NOT_THERE, 3 * first, 3 * end);
+    }
+    for (; isSound && refers && first < end; first += 1) {
       if (slices.took(1 / 4)) {
         await slices.pause();
       }
-      if (isSound) {
-        settle(lists, 3 * triangle, misses);
-      } else {
-        lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
-      }
+      settle(lists, 3 * first, misses);
     }
     leftOut.add('uv', misses.uv);
     leftOut.add('normal', misses.normal);
@@ -64,7 +64,6 @@ function areThere({ corners, places }: CornerLists, at: number): boolean {
 /** @param misses becomes 1 for what the triangle at corner `at` refers to, and is not there. */
 function settle(lists: CornerLists, at: number, misses: { uv: number; normal: number }): void {
   const { cornerUvs, cornerNormals, uvs, normals } = lists;
-  if (cornerUvs.length + cornerNormals.length === 0) return;
   for (let corner = at; corner < at + 3; corner += 1) {
     if (itemAt(cornerUvs, corner) >= uvs.length / 2) {
       cornerUvs.array[corner] = NONE;
