@@ -193,7 +193,7 @@ export const AIMS = [
     both(1.3),
   ),
   aim('start, 2,000 boxes', 'start, 2,000 boxes', FIRST_PICTURE, both(1.5)),
-  aim('start, 10,000 boxes', 'start, 10,000 boxes', FIRST_PICTURE, both(4)),
+  aim('start, 10,000 boxes', 'start, 10,000 boxes', FIRST_PICTURE, both(3)),
   aim('start, 64 viewers', 'start, 64 viewers', FIRST_PICTURE, both(1.2)),
   aim(
     'toggling one of 5,000 lights, µs',
