@@ -110,7 +110,7 @@ export function accuracySentence(accuracy, where = 'On this machine') {
   const times = ours.map(({ time }) => time);
   const [least, most] = [Math.min(...times), Math.max(...times)].map((time) => time.toFixed(2));
   const error = Math.max(...ours.map((point) => point.error));
-  return `${where} exactness costs ${least} to ${most} of the plain loop’s time: phong-viewer is wrong by up to ${short(error)} codes, the plain loop by ${short(worst(accuracy, 'plain'))}, a usual approximation (Schlick’s) by ${short(worst(accuracy, 'schlick'))}.`;
+  return `${where} exactness costs ${least} to ${most} times the plain loop’s time: phong-viewer is wrong by at most ${short(error)} of a colour’s 256 steps, the plain loop by ${short(worst(accuracy, 'plain'))}, a usual approximation (Schlick’s) by ${short(worst(accuracy, 'schlick'))}.`;
 }
 
 /** Cells of a table: a way, then time and error for each exponent. @param {Accuracy} accuracy */
@@ -154,14 +154,16 @@ export function accuracySvg(accuracy, width) {
   );
   const parts = [
     rect(frame.left, y.at(INVISIBLE), frame.right - frame.left, frame.bottom - y.at(INVISIBLE)),
-    text(frame.left, 12, 'largest error, in codes (a colour has 256)'),
+    text(0, 12, '↓ more exact: largest error, in steps (a colour has 256)'),
     ...y.ticks.map((tick) => gridLine(frame.left, y.at(tick), frame.right, y.at(tick))),
     ...y.ticks.map((tick) => text(frame.left - 6, y.at(tick) + 4, String(tick), 'end')),
     ...x.ticks.map((tick) => gridLine(x.at(tick), frame.top, x.at(tick), frame.bottom)),
     ...x.ticks.map((tick) => text(x.at(tick), frame.bottom + 16, String(tick), 'middle')),
-    text(frame.right, frame.bottom + 33, 'time of a frame, the plain loop = 1', 'end'),
+    text(frame.right, frame.bottom + 33, '← faster: time of a frame, the plain loop = 1', 'end'),
+    text(0, frame.bottom + 54, 'A dot is a program drawing one highlight: the larger the'),
+    text(0, frame.bottom + 69, 'dot, the smaller and sharper the highlight (exponent n).'),
   ];
-  const band = 'nobody can see this: less than half a code';
+  const band = 'nobody can see this: less than half a step';
   parts.push(text(frame.right - 4, frame.bottom - 6, band, 'end', 'var(--quiet)'));
   /** @type {Box[]} */
   const taken = [
@@ -199,7 +201,7 @@ export function accuracySvg(accuracy, width) {
     const label = `n = ${exponentText(exponent)}`;
     parts.push(placed(label, x.at(time), y.at(error), 'var(--quiet)', frame, taken));
   }
-  const below = picturesPart(accuracy, width, frame.bottom + 58);
+  const below = picturesPart(accuracy, width, frame.bottom + 94);
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${String(width)} ${String(below.height)}" width="${String(width)}" height="${String(below.height)}" role="img" aria-label="${escapedXml(accuracySentence(accuracy))}" font-family="Helvetica, Arial, sans-serif" font-size="${String(FONT)}" fill="var(--ink)">${[...parts, ...below.parts].join('')}</svg>`;
 }
 
@@ -228,7 +230,7 @@ function picturesPart(accuracy, width, top) {
       `<image x="${fixed(left)}" y="${fixed(top + 10)}" width="${fixed(side)}" height="${fixed(side)}" href="${png}"/>`,
       `<rect x="${fixed(left)}" y="${fixed(top + 10)}" width="${fixed(side)}" height="${fixed(side)}" fill="none" stroke="var(--hairline)"/>`,
       text(left, top + side + 26, named(label, width)),
-      text(left, top + side + 41, `${short(error?.error ?? 0)} codes`, 'start', 'var(--quiet)'),
+      text(left, top + side + 41, `${short(error?.error ?? 0)} steps`, 'start', 'var(--quiet)'),
     ];
   });
   const title = `The error × ${String(MAGNIFIED)} where n = ${exponentText(PICTURED.exponent)}: black is exact`;
@@ -247,9 +249,9 @@ const box = (left, baseline, width) => ({
 });
 
 /**
- * A label beside a dot, where it covers nothing if there is such a place. @param {string} label
- * @param {number} x @param {number} y @param {string} color @param {Box} frame @param {Box[]} taken
- * gets its place
+ * A label beside a dot, where it covers nothing if there is such a place; a line leads to one that
+ * is a line of text away. @param {string} label @param {number} x @param {number} y @param {string}
+ * color @param {Box} frame @param {Box[]} taken gets its place
  */
 function placed(label, x, y, color, frame, taken) {
   const width = LETTER * label.length;
@@ -276,9 +278,12 @@ function placed(label, x, y, color, frame, taken) {
   const place =
     away(taken) ?? away(taken.filter(({ line }) => line !== true)) ?? box(frame.left, y, width);
   taken.push(place);
-  return place.left < x
-    ? text(place.right, place.bottom - 3, label, 'end', color)
-    : text(place.left, place.bottom - 3, label, 'start', color);
+  const isLeft = place.left < x;
+  const [end, middle] = [isLeft ? place.right : place.left, (place.top + place.bottom) / 2];
+  const toX = isLeft ? Math.max(x - 6, end) : Math.min(x + 6, end);
+  const leader = `<path fill="none" stroke="${color}" stroke-width="0.75" d="M${fixed(end)} ${fixed(middle)}L${fixed(toX)} ${fixed(y)}"/>`;
+  const isBeside = Math.abs(middle - y) < LINE;
+  return `${isBeside ? '' : leader}${text(end, place.bottom - 3, label, isLeft ? 'end' : 'start', color)}`;
 }
 
 /**

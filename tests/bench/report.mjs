@@ -108,11 +108,11 @@ For people who ask what a picture costs. Written by \`npm run bench:report\` fro
 
 ## What does accuracy cost?
 
-${plots.join('\n\n') || 'Not measured yet.'}
+Six programs draw one scene of three lights in turns: the plain loop of textbooks, that of phong-viewer, and usual shortcuts. Left is fast, low is exact. The error is the
+largest of a picture against the equation in float64, before rounding to a colour's 256 steps; in the grey band nobody can see it. Larger dots are higher exponents *n* of the
+highlight: 32, 1,000, 100,000. The page of the bench measures the same on your machine; \`node tests/bench/accuracy.mjs --help\` does on a named one.
 
-One scene of three lights by six programs, drawn in turns. Left is fast, low is exact. A code is one of a colour's 256 steps; the grey band is below half of one. Larger
-dots are higher exponents *n* of the highlight: 32, 1,000, 100,000. The error is the largest of a picture against the equation in float64, before rounding to codes.
-The page of the bench measures the same on your machine; \`node tests/bench/accuracy.mjs --help\` does on a named one.
+${plots.join('\n\n') || 'Not measured yet.'}
 
 ## In ten rows
 

@@ -33,7 +33,7 @@ test('every chart is an SVG that the report shows, with its series and pictures 
       true,
     );
     const named = file.endsWith('-accuracy.svg')
-      ? ['time of a frame, the plain loop = 1', 'Schlick’s formula', 'n = 1,000']
+      ? ['← faster: time of a frame, the plain loop = 1', 'Schlick’s formula', 'n = 1,000']
       : ['TAARenderPass', 'sphere'];
     for (const text of named) {
       expect(svg.includes(`>${text}</text>`), file).toBe(true);
@@ -152,7 +152,7 @@ const made: Accuracy = {
 
 test('the sentence about accuracy has the least and the most time, and the largest errors', () => {
   expect(accuracySentence(made)).toBe(
-    'On this machine exactness costs 0.90 to 1.02 of the plain loop’s time: phong-viewer is wrong by up to 2.3 codes, the plain loop by 1, a usual approximation (Schlick’s) by 3.4.',
+    'On this machine exactness costs 0.90 to 1.02 times the plain loop’s time: phong-viewer is wrong by at most 2.3 of a colour’s 256 steps, the plain loop by 1, a usual approximation (Schlick’s) by 3.4.',
   );
 });
 
