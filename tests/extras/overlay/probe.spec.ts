@@ -359,6 +359,9 @@ test.describe('the box', () => {
         const isBeside = covered.x >= x || right <= x || covered.y >= y || bottom <= y;
         const isInside = covered.x >= 0 && covered.y >= 0 && right <= width && bottom <= height;
         expect([isBeside, isInside], `${width}: ${down}`).toEqual([true, true]);
+        // Small ones show the colour alone.
+        expect(await box(viewer).getByRole('table').isVisible()).toBe(height > 150);
+        await expect(codes(viewer)).toHaveText(await expected(viewer, x, y));
       }
     }
   });
@@ -398,15 +401,21 @@ test.describe('the box', () => {
       expect(right[0], `${width}`).toBeLessThanOrEqual(edge);
       expect(name, `${width}: the name`).toBeGreaterThan(20);
     }
-  });
-
-  test('shows only the colour in a viewer of 120 × 90', async ({ page, mount }) => {
-    const viewer = await mount(scene(), { width: 120, height: 90 });
-    await page.mouse.click(60, 30);
-    await expect(box(viewer)).toBeVisible();
-    const color = await colorAt(viewer, 60, 30);
-    await expect(codes(viewer)).toHaveText(color.map((c) => (255 * c).toFixed(0)).join(' '));
-    await expect(box(viewer).getByRole('table')).toBeHidden();
+    // Lights that share a row are counted in it, in long words too.
+    await viewer.evaluate(async (element: PhongViewer) => {
+      element.texts = await (await fetch('/dist/texts/pt.json')).json();
+      element.insertAdjacentHTML('beforeend', element.innerHTML + element.innerHTML);
+      element.style.height = '300px';
+    });
+    for (const width of [320, 400, 600, 900]) {
+      await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
+      await nextFrame(page);
+      const cut = await box(viewer)
+        .locator('.others button')
+        .or(box(viewer))
+        .evaluateAll((all) => all.map((one) => one.scrollWidth - one.clientWidth));
+      expect(cut, `${width}`).toEqual([0, 0]);
+    }
   });
 
   test('lists fifty lights, all in reach, in rows that add up to the sum', async ({
