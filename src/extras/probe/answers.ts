@@ -87,12 +87,10 @@ export function sumQuestion(
       drawn(subtract(total, line.value), linear)[channel]!,
     ),
   );
-  wrongs.push(without('E', drawn(subtract(total, own), linear)[channel]!));
-  if (linear) {
-    wrongs.push(without(phrase(texts, 'encoded'), total[channel]!));
-  } else {
-    wrongs.push(without('min(…, 1)', total[channel]!));
-  }
+  wrongs.push(
+    without('E', drawn(subtract(total, own), linear)[channel]!),
+    without(linear ? phrase(texts, 'encoded') : 'min(…, 1)', total[channel]!),
+  );
   return { equation, channel, expected: equation.value[channel]!, wrongs };
 }
 

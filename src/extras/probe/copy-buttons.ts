@@ -25,22 +25,20 @@ export class CopyButtons {
 
   #button(label: ViewerText, text: string, texts: ViewerTexts | null): TemplateResult {
     const copy = async (button: HTMLButtonElement): Promise<void> => {
-      let said: ViewerText = 'copied ✓';
-      this.#uncopied.value = '';
+      const field = this.#uncopied;
+      field.value = '';
+      field.hidden = true;
       try {
         await navigator.clipboard.writeText(text);
       } catch {
         // Pages without TLS have no clipboard; a frame without the permission rejects.
-        said = 'select and copy below';
-        this.#uncopied.value = text;
+        field.value = text;
+        field.hidden = false;
+        field.ariaLabel = phrase(texts, label);
+        field.select();
+        field.scrollIntoView({ block: 'nearest' });
       }
-      this.#uncopied.hidden = said === 'copied ✓';
-      this.#uncopied.setAttribute('aria-label', phrase(texts, label));
-      if (!this.#uncopied.hidden) {
-        this.#uncopied.select();
-        this.#uncopied.scrollIntoView({ block: 'nearest' });
-      }
-      button.textContent = phrase(texts, said);
+      button.textContent = phrase(texts, field.hidden ? 'copied ✓' : 'select and copy below');
       setTimeout(() => (button.textContent = phrase(texts, label)), RESULT_MS);
     };
     return html`<button

@@ -36,8 +36,12 @@ const RING = `.pointed {
   border-radius: 50%;
   outline: 1px solid #000;
 }
-.pointed:focus-visible {
+.pointed:is(:focus-visible, [data-strong]) {
   outline: 3px solid #000;
+}
+.pointed[data-strong] {
+  z-index: 1;
+  scale: 1.6;
 }
 .pointed[hidden] {
   display: none;
@@ -64,8 +68,12 @@ export class FollowedPoint {
   #busy = false;
   #again = false;
 
-  /** `changed` is called after each explanation, with the error that it ended in. */
+  /**
+   * `changed` is called after each explanation, with the error that it ended in. Of several rings in
+   * a picture, that of the `element` under the mouse or with the focus is the strong one.
+   */
   constructor(
+    element: HTMLElement,
     viewer: PhongViewer,
     values: Readonly<ProbeValues>,
     changed: (error?: Error) => void,
@@ -73,6 +81,12 @@ export class FollowedPoint {
     this.#viewer = viewer;
     this.#values = values;
     this.#changed = changed;
+    const { signal } = this.#listening;
+    for (const type of ['pointerenter', 'pointerleave', 'focusin', 'focusout'] as const) {
+      const mark = (): void =>
+        void this.#ring.toggleAttribute('data-strong', element.matches(':hover, :focus-within'));
+      element.addEventListener(type, mark, { signal });
+    }
     void viewer.updateComplete
       .then(() => this.#listen())
       .then(() => viewer.ready)
@@ -193,7 +207,7 @@ export class FollowedPoint {
       }
       if (arrow === undefined || !fragment || event.ctrlKey || event.altKey || event.metaKey)
         return;
-      const pixels = (event.shiftKey ? 10 : 1) * zoomOf(this.#ring.parentElement!);
+      const pixels = (event.shiftKey ? 10 : 1) * this.#zoom;
       const step = { x: arrow[0] * pixels, y: arrow[1] * pixels };
       const from = this.#place ?? this.#pixelOf(fragment.p);
       const detail: Place | null = from && {
@@ -251,7 +265,7 @@ export class FollowedPoint {
     const near = point === null ? null : await viewer.explain([...point]);
     if (near !== null) return near;
     const { width, height } = this.#size;
-    const zoom = zoomOf(this.#ring.parentElement!);
+    const zoom = this.#zoom;
     const pixel =
       point === null ? { x: (width / 2) * zoom, y: (height / 2) * zoom } : this.#pixelOf(point);
     return pixel === null ? null : viewer.shadeAt(pixel.x, pixel.y);
@@ -261,12 +275,17 @@ export class FollowedPoint {
   async #surfaceFrom({ x, y, step }: Place): Promise<FragmentExplanation | null> {
     if (step === undefined) return this.#viewer.shadeAt(x, y);
     const { width, height } = this.#size;
-    const zoom = zoomOf(this.#ring.parentElement!);
+    const zoom = this.#zoom;
     for (; x > 0 && y > 0 && x < width * zoom && y < height * zoom; x += step.x, y += step.y) {
       const fragment = await this.#viewer.shadeAt(x, y);
       if (fragment !== null) return fragment;
     }
     return this.fragment ?? null;
+  }
+
+  /** Pixels of pointer events for each of the layer. */
+  get #zoom(): number {
+    return zoomOf(this.#ring.parentElement!);
   }
 
   /** Of the layer over the picture, CSS pixels. */
@@ -282,9 +301,8 @@ export class FollowedPoint {
 
   /** As `shadeAt` takes it. */
   #pixelOf(point: Vec3): Point | null {
-    const zoom = zoomOf(this.#ring.parentElement!);
     const at = this.#placeOf(point);
-    return at && { x: at.x * zoom, y: at.y * zoom };
+    return at && { x: at.x * this.#zoom, y: at.y * this.#zoom };
   }
 
   #mark(): void {

@@ -119,7 +119,8 @@ class Probe extends ExtraElement<ProbeValues> {
     this.#point?.stop();
     this.#viewer = viewer;
     this.#point =
-      viewer && new FollowedPoint(viewer, this.values, (error) => this.#explained(error));
+      viewer &&
+      new FollowedPoint(this.element, viewer, this.values, (error) => this.#explained(error));
     this.#render();
   }
 
@@ -194,10 +195,7 @@ class Probe extends ExtraElement<ProbeValues> {
       (equation) =>
         html`<li>
           <span class="title" part="title" dir="auto">${titleOf(equation, null, texts)}</span>
-          <span class="math" dir="ltr"
-            >${mathOf(equation.symbols)} ${mathOf(`= ${equation.numbers}`)}
-            ${mathOf(`${equation.sign} ${equation.result}`)}</span
-          >
+          <span class="math" dir="ltr">${mathOf(equation.symbols)} ${numbersOf(equation)}</span>
         </li>`,
     );
     return html`<ul class="equations">
@@ -329,14 +327,7 @@ class Probe extends ExtraElement<ProbeValues> {
           >${verdict?.text}</output
         >
       </form>
-      ${
-        shown
-          ? html`<span class="math" dir="ltr"
-              >${mathOf(`= ${equation.numbers}`)}
-              ${mathOf(`${equation.sign} ${equation.result}`)}</span
-            >`
-          : nothing
-      }`;
+      ${shown ? html`<span class="math" dir="ltr">${numbersOf(equation)}</span>` : nothing}`;
   }
 
   /** The form's entries, one for each answer, and whether one is missing. */
@@ -359,6 +350,9 @@ class Probe extends ExtraElement<ProbeValues> {
     }
   }
 }
+
+const numbersOf = ({ numbers, sign, result }: Equation): TemplateResult =>
+  html`${mathOf(`= ${numbers}`)} ${mathOf(`${sign} ${result}`)}`;
 
 /** What the browser says of an empty field, in its user's language. */
 const valueMissing = (): string => {

@@ -245,7 +245,10 @@ test('`seed` is another point and other numbers for each text, the same for the 
   const [first, again, other] = await lines.allTextContents();
   expect(again).toBe(first);
   expect(other).not.toBe(first);
-  await expect(page.locator('phong-viewer .pointed:not([hidden])')).toHaveCount(3);
+  const rings = page.locator('phong-viewer .pointed:not([hidden])');
+  await expect(rings).toHaveCount(3);
+  await page.locator('phong-probe').nth(1).getByRole('textbox').focus();
+  await expect(page.locator('phong-viewer [data-strong]')).toHaveCount(1);
 });
 
 test('says in one warning which viewer or light is missing, and takes one that comes later', async ({
