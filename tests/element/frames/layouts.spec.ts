@@ -15,27 +15,30 @@ interface TraceEvent {
 }
 
 for (const [what, attributes, layouts] of [
-  ['a picture alone', '', 'never'],
-  ['a legend', 'view="normals"', 'never'],
-  ['a probe', 'probe', 'never'],
+  ['a drag with a picture alone', '', 'never'],
+  ['a drag with a legend', 'view="normals"', 'never'],
+  ['a drag with a probe', 'probe', 'never'],
+  ['a mouse over a probe', 'probe', 'once a frame'],
   [
-    'all of these',
+    'a drag with all of these',
     'helpers="lights axes grid normals bounds" gui probe view="n-dot-l"',
     'once a frame',
   ],
 ] as const) {
-  test(`a drag with ${what} lays the page out ${layouts}`, async ({ browser, page, mount }) => {
+  test(`${what} lays the page out ${layouts}`, async ({ browser, page, mount }) => {
     const viewer = await mount(
       `<phong-viewer geometry="box" ${attributes}>${lights}</phong-viewer>`,
       { width: 500, height: 320 },
     );
     await settled(viewer);
     const moveTo = async (step: number): Promise<void> => {
-      await page.mouse.move(100 + 3 * step, 120 + step);
+      await page.mouse.move(190 + 3 * step, 120 + step);
       await page.evaluate(() => new Promise(requestAnimationFrame));
     };
-    await page.mouse.move(100, 120);
-    await page.mouse.down();
+    await page.mouse.move(190, 120);
+    if (what.startsWith('a drag')) {
+      await page.mouse.down();
+    }
     // The first moves show what a drag changes, such as the shape of the pointer.
     for (let i = 0; i < 5; i++) {
       await moveTo(i);

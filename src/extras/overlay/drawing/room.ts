@@ -17,7 +17,7 @@ export class Room {
   readonly #em: HTMLElement;
   readonly #observer: ResizeObserver;
   /** Follows what changes the boxes' places but not their sizes. */
-  readonly #arrivals: MutationObserver | null;
+  readonly #arrivals = new MutationObserver(() => this.#observeBoxes());
 
   /**
    * `changed`: room, boxes or text have another size or place. `namePart`: of names outside {@link
@@ -28,7 +28,6 @@ export class Room {
     this.#em = createElement('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });
     this.#em.style.width = '1em';
     tree.layer.prepend(this.#em);
-    this.#arrivals = namePart === null ? null : new MutationObserver(() => this.#observeBoxes());
     this.#read();
     this.#observer = new ResizeObserver(() => {
       this.#read();
@@ -37,31 +36,23 @@ export class Room {
     for (const each of [this.#em, tree.room, tree.free]) {
       this.#observer.observe(each);
     }
-    if (this.#arrivals !== null) {
-      this.#observeBoxes();
-    }
+    this.#observeBoxes();
   }
 
   dispose(): void {
     this.#observer.disconnect();
-    this.#arrivals?.disconnect();
+    this.#arrivals.disconnect();
     this.#em.remove();
-  }
-
-  /** What a box in the free part covers of the layer, CSS pixels. */
-  rectOf({ offsetLeft, offsetTop, offsetWidth, offsetHeight }: HTMLElement): Rect {
-    const [left, top] = [this.box.left + offsetLeft, this.box.top + offsetTop];
-    return { left, top, right: left + offsetWidth, bottom: top + offsetHeight };
   }
 
   /** Each extra has a place in the free part, which holds its box. */
   #observeBoxes(): void {
     const { free } = this.#tree;
-    this.#arrivals?.observe(free, { childList: true });
+    this.#arrivals.observe(free, { childList: true });
     for (const place of free.children) {
-      this.#arrivals?.observe(place, { childList: true });
+      this.#arrivals.observe(place, { childList: true });
       for (const box of place.children) {
-        this.#arrivals?.observe(box, { attributeFilter: ['class', 'hidden'] });
+        this.#arrivals.observe(box, { attributeFilter: ['class', 'hidden'] });
         this.#observer.observe(box);
       }
     }
@@ -72,12 +63,16 @@ export class Room {
 
   #read(): void {
     const { room, free } = this.#tree;
-    const left = room.offsetLeft + free.offsetLeft;
-    const top = room.offsetTop + free.offsetTop;
-    this.box = { left, top, right: left + free.offsetWidth, bottom: top + free.offsetHeight };
+    this.box = rectOf(free, room.offsetLeft, room.offsetTop);
+    const { left, top } = this.box;
     this.fontSize = parseFloat(getComputedStyle(this.#em).fontSize);
-    if (this.#arrivals === null) return;
     const boxes = free.querySelectorAll<HTMLElement>(':scope > * > *');
-    this.boxes = Array.from(boxes, (box) => this.rectOf(box));
+    this.boxes = Array.from(boxes, (box) => rectOf(box, left, top));
   }
+}
+
+/** `x` and `y`: of what holds the box. */
+function rectOf(box: HTMLElement, x: number, y: number): Rect {
+  const [left, top] = [x + box.offsetLeft, y + box.offsetTop];
+  return { left, top, right: left + box.offsetWidth, bottom: top + box.offsetHeight };
 }

@@ -86,15 +86,13 @@ export class Handles {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
-    const handlesOf = (light: PhongLight, index: number) =>
-      marks[index]!.handles.map((handle) => {
-        return {
-          handle,
-          index,
-          shown: this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part),
-        };
-      });
-    const entries = lights.flatMap(handlesOf);
+    const entries = lights.flatMap((light, index) =>
+      marks[index]!.handles.map((handle) => ({
+        handle,
+        index,
+        shown: this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part),
+      })),
+    );
     const kept = new Set(entries.map(({ shown }) => shown));
     const hadFocus = kept.size < this.#shown.size && this.#list.matches(':focus-within');
     // First: an element that moves in the tree loses focus and pointer.
@@ -155,9 +153,8 @@ export class Handles {
   }
 
   #add(light: PhongLight, part: HandlePart): HandleEntry {
-    const className = `handle ${part}`;
     const element = createElement('div', {
-      class: className,
+      class: `handle ${part}`,
       role: 'option',
       tabindex: '-1',
       'aria-selected': 'false',

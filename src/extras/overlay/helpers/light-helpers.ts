@@ -23,17 +23,14 @@ export const LIGHT_NAME = 'light-name';
 /** Opacity of the name of a light that is off. */
 const DIMMED = 0.75;
 
-function axesOf(
+const axesOf = (
   lights: readonly (readonly [PhongLight, PlacedLight])[],
-): Map<PhongLight, RayTest<number>> {
-  const axes = new Map<PhongLight, RayTest<number>>();
-  for (const [light, { spot, place }] of lights) {
-    if (spot !== null) {
-      axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
-    }
-  }
-  return axes;
-}
+): Map<PhongLight, RayTest<number>> =>
+  new Map(
+    lights.flatMap(([light, { spot, place }]) =>
+      spot === null ? [] : [[light, (shapes) => distanceAlong(shapes, place, spot.axis)]],
+    ),
+  );
 
 export class LightHelpers {
   readonly #host: ExtraHost;
@@ -91,7 +88,8 @@ export class LightHelpers {
   #marksOf(lights: readonly PhongLight[], view: Projection, scene: SceneBall): LightMarks[] {
     return lights.map((light) => {
       const { values } = fieldsOf(light).store;
-      const [isHidden, surface] = [this.#hidden.answer(light) === true, this.#surfaceOf(light)];
+      const isHidden = this.#hidden.answer(light) === true;
+      const surface = this.#surfaceOf(light);
       const seen = [view, isHidden, surface, ...Object.values(values)];
       const before = this.#marks.get(light);
       if (before !== undefined && sameValue(before.seen, seen)) return before.marks;

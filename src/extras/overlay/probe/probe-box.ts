@@ -3,7 +3,7 @@
 // room; lights that have none share a row.
 import { localNumber, phrase, type ViewerTexts } from '../../../viewer/extra.js';
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
-import type { Rect } from '../drawing/label-layout.js';
+import { sameValue } from '../../../phong/fields/field-store.js';
 import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
 import {
@@ -49,10 +49,13 @@ export class ProbeBox {
   readonly #table: SumTable;
   readonly #room: Room;
   readonly #release: () => void;
-  #isColumn = false;
   /** The point is in the half where text begins, and in the upper half. */
   #isAtStart = false;
   #isAbove = true;
+  /** What rows and steps were fitted to. */
+  #fitted: readonly unknown[] = [];
+  /** Rows of their own that fit. */
+  #lights = 0;
 
   /**
    * `changed`: another light was chosen. `release`: the button that takes the pin away was pressed.
@@ -67,9 +70,19 @@ export class ProbeBox {
     return this.#table.chosen;
   }
 
-  /** Shows this, and gives what the box covers of the layer. Forces a layout, of this box alone. */
-  show(state: BoxState): Rect {
-    const { left, right, top, bottom } = this.#room.box;
+  /** After a layout: has its text grown out of it? */
+  get isHigh(): boolean {
+    const { scrollHeight, clientHeight } = this.place.firstElementChild!;
+    return scrollHeight > clientHeight;
+  }
+
+  /**
+   * Shows this. Rows and steps are fitted, which forces a layout of the box, only where more than
+   * numbers has changed, or `anew`.
+   */
+  show(state: BoxState, anew = false): void {
+    const { box: free, fontSize } = this.#room;
+    const { left, right, top, bottom } = free;
     const across = (state.at.x - (left + right) / 2) * (this.place.matches(':dir(rtl)') ? -1 : 1);
     const down = state.at.y - (top + bottom) / 2;
     if (Math.abs(across) > GAIN) {
@@ -78,18 +91,29 @@ export class ProbeBox {
     if (Math.abs(down) > GAIN) {
       this.#isAbove = down < 0;
     }
-    this.#isColumn = right - left >= WIDE;
-    const { content } = state;
-    const all = content === null || typeof content === 'string' ? 0 : content.sum.rows.length;
-    this.#render(state, all);
+    const [width, height] = [right - left, bottom - top];
+    const side =
+      width >= WIDE
+        ? `column ${this.#isAtStart ? 'end' : ''}`
+        : `strip ${this.#isAbove ? 'low' : 'high'}`;
+    const { content, texts, releasable } = state;
+    const sum = content === null || typeof content === 'string' ? null : content;
+    const all = sum?.sum.rows.length ?? 0;
+    const message = sum === null ? content : null;
+    const fitted = [side, width, height, fontSize, texts, releasable, message, all];
+    if (!anew && sameValue(fitted, this.#fitted)) {
+      this.#render(state, side, this.#lights);
+      return;
+    }
+    this.#fitted = fitted;
+    this.#render(state, side, (this.#lights = all));
     const box = this.place.firstElementChild as HTMLElement;
     // Rows say more than the steps of one light.
     box.removeAttribute('data-brief');
-    box.toggleAttribute('data-brief', isHigh(box));
-    if (all > 1 && isHigh(box)) {
-      this.#render(state, this.#lightsThatFit(box, all));
+    box.toggleAttribute('data-brief', this.isHigh);
+    if (all > 1 && this.isHigh) {
+      this.#render(state, side, (this.#lights = this.#lightsThatFit(box, all)));
     }
-    return this.#room.rectOf(box);
   }
 
   /** Rows of their own, by the height of what is shown. Never all but one: its row is as high. */
@@ -99,12 +123,9 @@ export class ProbeBox {
     return Math.max(0, Math.min(Math.floor((free * all) / rows) - 1, all - 2));
   }
 
-  #render({ content, pinned, releasable, texts }: BoxState, lights: number): void {
+  #render({ content, pinned, releasable, texts }: BoxState, side: string, lights: number): void {
     const isEmpty = content === null || typeof content === 'string';
     const more = isEmpty ? 0 : content.sum.rows.length;
-    const side = this.#isColumn
-      ? `column ${this.#isAtStart ? 'end' : ''}`
-      : `strip ${this.#isAbove ? 'low' : 'high'}`;
     // What is hidden keeps its elements.
     const box: TemplateResult = html`<div
       class=${`box ${side} ${pinned ? 'pinned' : ''}`}
@@ -138,6 +159,3 @@ export class ProbeBox {
     render(box, this.place);
   }
 }
-
-const isHigh = ({ scrollHeight, clientHeight }: HTMLElement): boolean =>
-  scrollHeight > clientHeight;

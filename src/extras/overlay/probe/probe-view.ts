@@ -57,7 +57,13 @@ export class ProbeView {
   /** `release` is called by the button that removes the pin. */
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
-    this.#room = new Room(host.tree, () => this.#show());
+    this.#room = new Room(host.tree, () => {
+      if (this.#box.isHigh) {
+        // Not here: the observer would have to report what it reports.
+        host.viewer.ownerDocument.defaultView?.requestAnimationFrame(() => this.#show(true));
+      }
+      this.#show();
+    });
     this.#box = new ProbeBox(this.#room, () => this.#show(), release);
     this.#removeStyles = addStyles(host.viewer.shadowRoot!, tableStyles + styles);
     host.tree.room.before(this.root);
@@ -100,7 +106,8 @@ export class ProbeView {
       const at = projection.point(fragment.p);
       const context = picture.getContext('2d');
       if (at === null || context === null) return;
-      const list = this.#drawingOf(fragment, at, projection, { room: whole(size), boxes: names });
+      const space = { room: whole(size), boxes: names };
+      const list = this.#drawingOf(this.#contentOf(fragment), at, projection, space);
       drawList(context, list, scale, this.#room.fontSize);
     };
   }
@@ -168,25 +175,30 @@ export class ProbeView {
     );
   };
 
-  #show(): void {
+  #show(anew = false): void {
     const { at, fragment, message } = this.shown ?? { at: null, fragment: null, message: null };
     const texts = (this.#written = this.#texts);
     const { x, y } = at ?? this.middle;
-    const covered = this.#box.show({
-      content: fragment === null ? message : this.#contentOf(fragment),
+    const content = fragment === null ? null : this.#contentOf(fragment);
+    const state = {
+      content: content ?? message,
       at: { x, y },
       pinned: this.shown?.pinned === true,
       releasable: this.#releasable,
       texts,
-    });
+    };
+    this.#box.show(state, anew);
     this.#drawing.over(this.size);
     if (at === null) {
       this.#drawing.show([]);
-    } else if (fragment === null) {
+    } else if (content === null) {
       this.#drawing.show(markOf(at, true));
     } else {
-      const space = { room: this.#room.box, boxes: [covered, ...this.#host.names.placed] };
-      this.#drawing.show(this.#drawingOf(fragment, at, this.projection, space));
+      const space = {
+        room: this.#room.box,
+        boxes: [...this.#room.boxes, ...this.#host.names.placed],
+      };
+      this.#drawing.show(this.#drawingOf(content, at, this.projection, space));
     }
     const probe = html`
       ${this.#drawing.element}
@@ -214,12 +226,11 @@ export class ProbeView {
 
   /** The arrows at `at`, with labels in the space. */
   #drawingOf(
-    fragment: FragmentExplanation,
+    { fragment, sum, row, halfway, gouraud }: SumContent,
     at: Point,
     projection: Projection,
     space: Pick<Surroundings, 'room' | 'boxes'>,
   ): readonly DrawnItem[] {
-    const { sum, row, halfway, gouraud } = this.#contentOf(fragment);
     const alone = this.#box.chosen !== undefined;
     const figure = figureOf(fragment, sum, row, { alone, halfway }, this.#texts);
     const outline = gouraud ? trianglePlaces(fragment) : [];

@@ -7,6 +7,7 @@ import {
   phrase,
   type ViewerTexts,
 } from '../../../viewer/extra.js';
+import { TERMS } from '../../../phong/light/light-state.js';
 import { LEAST_EXPONENT } from '../../../phong/light/precision.js';
 import { cosDegrees, radians } from '../../../phong/math/angle.js';
 import { isBlack, srgbDecode } from '../../../phong/math/color.js';
@@ -81,11 +82,9 @@ export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
 }
 
 function rowOf(share: LightExplanation, hasNormal: boolean): SumRow {
-  const [ambient, diffuse, specular] = [
-    codes(share.ambient),
-    codes(share.diffuse),
-    codes(share.specular),
-  ];
+  const ambient = codes(share.ambient);
+  const diffuse = codes(share.diffuse);
+  const specular = codes(share.specular);
   const total = add(add(ambient, diffuse), specular);
   return { ...share, ambient, diffuse, specular, total, absence: absenceOf(share, hasNormal) };
 }
@@ -158,11 +157,9 @@ export function fragmentText(
   if (fragment.filtered) {
     parts.push(phrase(texts, FILTERED));
   }
-  const shown = byShare(sum.rows).slice(0, NAMED);
-  for (const row of shown) {
-    parts.push(rowText(texts, row));
-  }
-  const more = sum.rows.length - shown.length;
+  const rows = byShare(sum.rows);
+  parts.push(...rows.slice(0, NAMED).map((row) => rowText(texts, row)));
+  const more = rows.length - NAMED;
   if (more > 0) {
     parts.push(
       `${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`,
@@ -184,17 +181,15 @@ export const KEYS =
 export const NO_SURFACE = 'No surface there.';
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
-  const values = {
-    name: row.name,
-    ambient: tripleText(row.ambient, 0, texts),
-    diffuse: tripleText(row.diffuse, 0, texts),
-    specular: tripleText(row.specular, 0, texts),
-  };
-  const text = phrase(
-    texts,
-    '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}',
-    values,
+  const [ambient = '', diffuse = '', specular = ''] = TERMS.map((term) =>
+    tripleText(row[term], 0, texts),
   );
+  const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', {
+    name: row.name,
+    ambient,
+    diffuse,
+    specular,
+  });
   const absence = shownAbsence(row);
   return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
 }
