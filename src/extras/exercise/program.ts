@@ -133,6 +133,12 @@ export class Program {
     const colors = new Float32Array(3 * cases.length).fill(NaN);
     let [at, count, spent, least] = [0, 1, 0, QUICK];
     while (at < cases.length) {
+      // Its timers wait for a second, so that drawing would seem slow.
+      if (document.hidden) {
+        await new Promise((resolve) =>
+          document.addEventListener('visibilitychange', resolve, { once: true }),
+        );
+      }
       signal.throwIfAborted();
       if (spent > PATIENCE) return null;
       const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];

@@ -272,3 +272,42 @@ test('a run stops where the function changes or the exercise leaves, and the nex
   }, RIGHT);
   expect(found).toEqual({ mistakes: ['', ''], isFree: true });
 });
+
+test('a run waits while its page is hidden, where each timer would look like slow drawing', async ({
+  mount,
+  page,
+}) => {
+  await mount(lamp + exercise('', RIGHT), { css });
+  await expect(textArea(page)).toBeVisible();
+  const draws = await page.locator('phong-exercise').evaluate(async (element) => {
+    const { prototype } = WebGL2RenderingContext;
+    const { createFramebuffer, drawArrays } = prototype;
+    let drawn = 0;
+    let isHidden = true;
+    Object.defineProperty(document, 'hidden', { configurable: true, get: () => isHidden });
+    prototype.drawArrays = function (...given) {
+      drawn++;
+      drawArrays.apply(this, given);
+    };
+    // A run makes it just before it draws.
+    const prepared = new Promise<void>((resolve) => {
+      prototype.createFramebuffer = function () {
+        resolve();
+        return createFramebuffer.call(this);
+      };
+    });
+    const checked = new Promise((resolve) =>
+      element.addEventListener('check', resolve, { once: true }),
+    );
+    element.shadowRoot!.querySelector('button')!.click();
+    await prepared;
+    await new Promise((resolve) => setTimeout(resolve));
+    const before = drawn;
+    isHidden = false;
+    document.dispatchEvent(new Event('visibilitychange'));
+    await checked;
+    Object.assign(prototype, { createFramebuffer, drawArrays });
+    return { before, after: drawn > 0 };
+  });
+  expect(draws).toEqual({ before: 0, after: true });
+});
