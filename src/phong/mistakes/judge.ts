@@ -165,27 +165,28 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
     if (defined.length < DEFINED * cases.length) return [];
   }
-  const singles = FORMS.map(({ id, form }) => ({ ids: [id], form }));
-  // What is 255 times as bright says nothing once it is clamped.
-  const clamped = judged.every(isClamped)
-    ? singles.filter(({ ids: [id] }) => id !== 'scale-255')
-    : [];
-  const single = (yield* best(judged, singles)) ?? (yield* best(judged, clamped, true));
-  if (single !== null) return single;
-  // Many pairs take all light away.
-  if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
-    return [];
-  const pairs: Candidate[] = [];
-  for (const [i, first] of FORMS.entries()) {
-    for (const second of FORMS.slice(i + 1)) {
-      const form = first.id === second.id ? undefined : both(first.form, second.form);
-      if (form !== undefined) {
-        pairs.push({ ids: [first.id, second.id], form });
-      }
-    }
+  const areClamped = judged.every(isClamped);
+  for (const candidates of [singles(), pairs()]) {
+    // What is 255 times as bright says nothing once it is clamped.
+    const dim = candidates.filter(({ ids }) => areClamped && !ids.includes('scale-255'));
+    const found = (yield* best(judged, candidates)) ?? (yield* best(judged, dim, true));
+    if (found !== null) return found;
+    // Many pairs take all light away.
+    if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
+      return [];
   }
-  return (yield* best(judged, pairs)) ?? [];
+  return [];
 }
+
+const singles = (): Candidate[] => FORMS.map(({ id, form }) => ({ ids: [id], form }));
+
+const pairs = (): Candidate[] =>
+  FORMS.flatMap((first, i) =>
+    FORMS.slice(i + 1).flatMap((second) => {
+      const form = first.id === second.id ? undefined : both(first.form, second.form);
+      return form === undefined ? [] : [{ ids: [first.id, second.id], form }];
+    }),
+  );
 
 interface Candidate {
   readonly ids: readonly MistakeId[];

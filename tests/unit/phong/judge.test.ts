@@ -89,6 +89,12 @@ describe('from the colours at the sheet', () => {
     expect(named).toBeGreaterThan(0.9 * count);
   }, 60_000);
 
+  it('two mistakes are named of a function that keeps its result between 0 and 1', () => {
+    const form = both(formsOf('normal-not-unit')[0]!, formsOf('no-decay')[0]!);
+    const colors = phong.flatMap((at) => sumAt(at, form, true));
+    expect(mistakesIn([compare(phong, colors, true)])).toEqual(['normal-not-unit', 'no-decay']);
+  });
+
   it('the search of pairs of mistakes can pause after each of them, and at each point', () => {
     const half = phong.map((at) => sumAt(at).map((x) => x / 2));
     const work = naming([resultOf(comparing(phong, half.flat(), true))]);
