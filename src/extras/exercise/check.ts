@@ -18,7 +18,7 @@ import {
 } from '../../phong/mistakes/judge.js';
 import { type Images, imagesOf } from './paint.js';
 import type { PicturePoints } from './picture.js';
-import { NoContextError, Program } from './program.js';
+import { openContext, Program } from './program.js';
 import { sliced } from './sliced.js';
 import {
   only,
@@ -70,9 +70,10 @@ export async function check(
 ): Promise<Verdict | readonly Fault[]> {
   const reading = checked(source);
   if ('fault' in reading) return [reading.fault];
-  let program: Program | undefined;
+  const gl = openContext();
+  if (gl === null) return [faultOf('An exercise needs WebGL 2.')];
+  const program = new Program(gl);
   try {
-    program = new Program();
     const messages = program.build(reading.glsl);
     if (program.isLost()) return LOST;
     if (messages.length > 0) return messages;
@@ -88,11 +89,10 @@ export async function check(
     if (colors === null) return SLOW;
     return await sliced(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
-    if (program?.isLost() === true) return LOST;
-    if (error instanceof NoContextError) return [faultOf('An exercise needs WebGL 2.')];
+    if (program.isLost()) return LOST;
     throw error;
   } finally {
-    program?.dispose();
+    program.dispose();
   }
 }
 

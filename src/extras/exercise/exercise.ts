@@ -98,14 +98,14 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return this.textsOf(this.#viewer);
   }
 
-  #say(text: string, values: Readonly<Record<string, string | number>> = {}): string {
+  readonly #say = (text: string, values: Fault['values'] = {}): string => {
     const texts = this.#texts;
     const words = Object.entries(values).map(([key, value]) => [
       key,
       typeof value === 'number' ? localNumber(grouped(value), texts) : value,
     ]);
     return phrase(texts, text as ViewerText, Object.fromEntries(words) as Record<string, string>);
-  }
+  };
 
   /** What was written stays. */
   #stop(): void {
@@ -284,9 +284,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const { hint } = this.values;
     const verdict = this.#shown;
     if (verdict === null || this.#faults.length > 0 || hint === 'none') return nothing;
-    const say = (text: string, values?: Readonly<Record<string, string | number>>): string =>
-      this.#say(text, values);
-    const [first, ...rest] = sentencesFor(verdict, hint, say);
+    const [first, ...rest] = sentencesFor(verdict, hint, this.#say);
     const { scene } = verdict;
     return html`<p class=${verdict.right ? 'right' : 'wrong'}><strong>${first}</strong></p>
       ${rest.map((text) => html`<p>${text}</p>`)}

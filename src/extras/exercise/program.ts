@@ -91,18 +91,17 @@ const QUICK = 100;
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
 
-export class NoContextError extends Error {}
+/** Null where there is no WebGL 2. */
+export const openContext = (): WebGL2RenderingContext | null =>
+  document
+    .createElement('canvas')
+    .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
 
 export class Program {
   readonly #gl: WebGL2RenderingContext;
   readonly #pixels: WebGLBuffer | null;
 
-  /** Throws NoContextError where there is no WebGL 2. */
-  constructor() {
-    const gl = document
-      .createElement('canvas')
-      .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
-    if (gl === null) throw new NoContextError();
+  constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#pixels = gl.createBuffer();
   }

@@ -5,9 +5,10 @@ import { MISTAKES, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import type { ViewerText } from '../../viewer/extra.js';
 import type { Verdict } from './check.js';
 import type { ExerciseValues } from './exercise-fields.js';
+import type { Fault } from './guard.js';
 import type { Region } from '../../phong/mistakes/judge.js';
 
-type Say = (text: ViewerText, values?: Readonly<Record<string, string | number>>) => string;
+type Say = (text: ViewerText, values?: Fault['values']) => string;
 
 const TERM_NAMES = {
   ambient: 'Ambient term',
