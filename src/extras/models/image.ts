@@ -128,15 +128,17 @@ export class ImageTextures {
     }
     image.samplers.add(uploaded);
     texture.source = image.source ??= texture.source;
-    Object.assign(texture, sampler);
-    texture.generateMipmaps =
-      texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
-    texture.colorSpace = NoColorSpace;
-    texture.flipY = false;
+    Object.assign(texture, sampler, {
+      generateMipmaps: sampler.minFilter !== NearestFilter && sampler.minFilter !== LinearFilter,
+      colorSpace: NoColorSpace,
+      flipY: false,
+      // Or the browser would hold the copies of all images until the first frame is complete.
+      onUpdate: this.#source.flush ?? null,
+      needsUpdate: true,
+    });
     texture.repeat.set(...scale);
     texture.offset.set(...offset);
     texture.updateMatrix();
-    texture.needsUpdate = true;
     return texture;
   }
 }

@@ -47,7 +47,7 @@ export async function modelContent(
   options: ReadOptions,
   from: FileRequest | Blob | null = null,
 ): Promise<Content> {
-  const { signal, type = '', decodeImage, warn = (message) => console.warn(message) } = options;
+  const { signal, type = '', warn = (message) => console.warn(message) } = options;
   const budget = new ModelBudget(options.onClaim);
   const isRequest = from === null || 'response' in from;
   const { name, read, linked } = isRequest
@@ -62,7 +62,7 @@ export async function modelContent(
     const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
     const reader = await readerOf(format);
     signal.throwIfAborted();
-    const model = await reader.read({ url, bytes, signal, linked, optional, budget, decodeImage });
+    const model = await reader.read({ ...options, url, bytes, linked, optional, budget });
     free(bytes);
     try {
       // The bounds that framing and culling will need: the first frame would find them in one task.

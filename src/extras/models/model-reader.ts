@@ -22,6 +22,7 @@ export interface ModelSource {
   /** Has the bytes of the files; the reader claims everything else. */
   readonly budget: ModelBudget;
   readonly decodeImage?: DecodeImage | undefined;
+  readonly flush?: (() => void) | undefined;
 }
 
 /**

@@ -31,6 +31,7 @@ export function decodedTexture(texture: Texture): Texture {
   if (twin === undefined) {
     const made = (twin = texture.clone());
     made.colorSpace = SRGBColorSpace;
+    made.onUpdate = texture.onUpdate;
     decoded.set(texture, made);
     texture.addEventListener('dispose', () => made.dispose());
   }

@@ -53,6 +53,8 @@ export interface LoadOptions {
    * the load.
    */
   readonly onClaim?: (claimed: Amounts) => void;
+  /** Sends WebGL's commands to the GPU. Call after an upload: the browser keeps its copy until then. */
+  readonly flush?: () => void;
   /**
    * The model may refer to files on any http(s) origin. Otherwise: in its own folder or below only.
    */

@@ -145,6 +145,11 @@ class Stage {
     }
   }
 
+  /** Sends what has been drawn and uploaded so far to the GPU. */
+  flush(): void {
+    this.#context.renderer?.getContext().flush();
+  }
+
   /**
    * Whether the GPU has refused memory since the last question: buffers and textures are then
    * incomplete. Waits for the GPU.

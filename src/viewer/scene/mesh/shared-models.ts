@@ -11,6 +11,7 @@ import {
 } from '../../model/request-model.js';
 import { isDataUri } from '../../../phong/fields/file-names.js';
 import { Shared } from '../../model/shared.js';
+import { stage } from '../gpu/stage.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */
@@ -70,6 +71,7 @@ class SharedModel {
       request: (file: URL, redirect: RequestRedirect) => requestFile(file, redirect, options),
       anywhere: crossOrigin !== null,
       type,
+      flush: () => stage.flush(),
     };
     // Requested at once, beside the code that reads models.
     const request =
