@@ -249,8 +249,7 @@ const box = (left, baseline, width) => ({
 });
 
 /**
- * A label beside a dot, where it covers nothing if there is such a place; a line leads to one that
- * is a line of text away. @param {string} label @param {number} x @param {number} y @param {string}
+ * A label beside a dot, where it covers nothing if there is such a place, and a line between them. @param {string} label @param {number} x @param {number} y @param {string}
  * color @param {Box} frame @param {Box[]} taken gets its place
  */
 function placed(label, x, y, color, frame, taken) {
@@ -279,11 +278,9 @@ function placed(label, x, y, color, frame, taken) {
     away(taken) ?? away(taken.filter(({ line }) => line !== true)) ?? box(frame.left, y, width);
   taken.push(place);
   const isLeft = place.left < x;
-  const [end, middle] = [isLeft ? place.right : place.left, (place.top + place.bottom) / 2];
-  const toX = isLeft ? Math.max(x - 6, end) : Math.min(x + 6, end);
-  const leader = `<path fill="none" stroke="${color}" stroke-width="0.75" d="M${fixed(end)} ${fixed(middle)}L${fixed(toX)} ${fixed(y)}"/>`;
-  const isBeside = Math.abs(middle - y) < LINE;
-  return `${isBeside ? '' : leader}${text(end, place.bottom - 3, label, isLeft ? 'end' : 'start', color)}`;
+  const [end, dot] = isLeft ? [place.right, x - 6] : [place.left, x + 6];
+  const line = `M${fixed(end)} ${fixed(place.bottom - 7)}L${fixed(dot)} ${fixed(y)}`;
+  return `<path stroke="${color}" stroke-width="0.75" d="${line}"/>${text(end, place.bottom - 3, label, isLeft ? 'end' : 'start', color)}`;
 }
 
 /**
