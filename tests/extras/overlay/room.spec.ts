@@ -86,7 +86,7 @@ test.describe('the probe between the dividers of a comparison', () => {
   }) => {
     test.setTimeout(600_000);
     await mount(comparison, { css, waitForReady: false });
-    await allReady(page);
+    await expect(page.locator('[part=probe]').filter({ visible: true })).toHaveCount(2);
     const cut: string[] = [];
     for (const width of firstOf([140, 266, 390, 532, 800, 1000, ...EACH_WIDTH], 6)) {
       for (const at of firstOf(
