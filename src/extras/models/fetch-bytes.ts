@@ -9,6 +9,7 @@ import type { LoadOptions } from '../../viewer/extra.js';
 import { Slices } from './slices.js';
 import { FILE_LIMIT } from './limits.js';
 import { turnsOf } from './turns.js';
+import { clip } from '../../phong/fields/clip.js';
 import { isDataUri, nameOf } from '../../phong/fields/file-names.js';
 
 /**
@@ -155,6 +156,14 @@ function unanswered(url: URL, cause: unknown): ModelError {
     const fact = `A page opened from disk may not read files, such as ${nameOf(url)}.`;
     const advice = 'Serve the folder, with `npx serve` or `python3 -m http.server`.';
     return new ModelError('load-failed', fact, { cause, advice });
+  }
+  if (url.protocol === 'blob:') {
+    const fact = 'This blob: address leads to no data: it was revoked, or another page made it.';
+    return new ModelError('load-failed', fact, { cause });
+  }
+  if (!/^https?:$/.test(url.protocol)) {
+    const fact = `No file can be fetched from an address that begins with "${clip(url.protocol)}".`;
+    return new ModelError('load-failed', fact, { cause });
   }
   return new ModelError('load-failed', `No answer came for ${nameOf(url)}.`, {
     cause,

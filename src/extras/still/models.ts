@@ -69,11 +69,18 @@ async function fetchOrRead(
 
 async function readAsResponse(url: URL): Promise<Response> {
   const { readFile, stat } = await import('node:fs/promises');
+  // A folder's address may end with a slash.
+  const name = nameOf(new URL(url.href.replace(/\/+$/, '')));
+  let fact = `The file ${name} cannot be read.`;
   try {
+    const found = await stat(url);
+    if (found.isDirectory()) {
+      fact = `"${name}" is a folder, not a model.`;
+    }
     // A device may never end.
-    if (!(await stat(url)).isFile()) throw new TypeError('no file');
+    if (!found.isFile()) throw new TypeError('no file');
     return new Response(await readFile(url));
   } catch (cause) {
-    throw new ModelError('load-failed', `The file ${nameOf(url)} cannot be read.`, { cause });
+    throw new ModelError('load-failed', fact, { cause });
   }
 }
