@@ -29,6 +29,7 @@ import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
 import { columnsOf, countOf, isFlattened } from './placed.js';
+import { Screen } from './screen.js';
 import { measure } from '../../phong/geometry/bounds.js';
 import { type Frustum } from '../../phong/geometry/frustum-clip.js';
 
@@ -66,9 +67,9 @@ export async function castSceneOf(
   const radius = values.radius === 'auto' ? fit.radius : values.radius;
   const orbit = new Orbit({ theta, phi, radius, target: fit.target });
   const camera = { eye: orbit.eye(), ...orbit.basis(), fov };
-  const slopeY = sinDegrees(fov / 2) / cosDegrees(fov / 2);
+  const { slopeX, slopeY } = new Screen(camera, width, height);
   const seen: Seen = {
-    view: { frame: { ...camera, origin: ZERO }, slopeX: (slopeY * width) / height, slopeY, radius },
+    view: { frame: { ...camera, origin: ZERO }, slopeX, slopeY, radius },
     pixels: height / (2 * slopeY),
   };
   const objects: CastObject[] = [];

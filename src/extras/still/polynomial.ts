@@ -34,7 +34,7 @@ export function rootsIn(
     if (atFrom === 0 && from > low) {
       out[found++] = from;
     } else if (atFrom < 0 ? atTo > 0 : atTo < 0) {
-      out[found++] = rootBetween(c, from, to, atFrom);
+      out[found++] = rootBetween(c, slopes, from, to, atFrom);
     }
     from = to;
     atFrom = atTo;
@@ -59,25 +59,24 @@ function valueAt(c: readonly number[], x: number): number {
 /**
  * Newton's steps, and a bisection wherever one leaves the interval. The signs at its ends differ.
  */
-function rootBetween(c: readonly number[], from: number, to: number, atFrom: number): number {
-  let low = atFrom < 0 ? from : to; // the polynomial is negative there
-  let high = atFrom < 0 ? to : from;
-  let x = (from + to) / 2;
+function rootBetween(
+  c: readonly number[],
+  slopes: readonly number[],
+  from: number,
+  to: number,
+  atFrom: number,
+): number {
+  let [low, high, x] = [from, to, (from + to) / 2];
   for (let step = 0; step < 100; step++) {
-    let value = 0;
-    let slope = 0;
-    for (let i = c.length - 1; i >= 0; i--) {
-      slope = slope * x + value;
-      value = value * x + c[i]!;
-    }
+    const value = valueAt(c, x);
     if (value === 0) return x;
-    if (value < 0) {
+    if (value < 0 === atFrom < 0) {
       low = x;
     } else {
       high = x;
     }
-    let next = x - value / slope;
-    if (!(next > Math.min(low, high) && next < Math.max(low, high))) {
+    let next = x - value / valueAt(slopes, x);
+    if (!(next > low && next < high)) {
       next = (low + high) / 2;
     }
     // Two roundings: steps may alternate between neighbouring numbers for ever.
