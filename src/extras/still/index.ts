@@ -60,10 +60,7 @@ export async function still(markup: string, options: StillOptions): Promise<Stil
   const threads = options.threads ?? (await cores());
   const means =
     threads > 1 ? await castOnThreads(scene, size, threads, WORKER) : castHere(scene, size);
-  if (background !== undefined) {
-    putBehind(means, background);
-  }
-  const pixels = straight(means);
+  const pixels = straight(means, background);
   const png = withMarkup(encodePng(width, height, pixels), markup.trim());
   return { width, height, pixels, png };
 }
@@ -78,25 +75,17 @@ async function cores(): Promise<number> {
   return availableParallelism();
 }
 
-/** Puts a colour behind premultiplied means. */
-function putBehind(means: Float64Array, color: readonly [number, number, number]): void {
-  for (let i = 0; i < means.length; i += 4) {
-    for (let k = 0; k < 3; k++) {
-      means[i + k]! += (1 - means[i + 3]! / 255) * color[k as 0];
-    }
-    means[i + 3] = 255;
-  }
-}
-
-/** Premultiplied means as 8-bit codes with straight alpha. */
-function straight(means: Float64Array): Uint8Array {
+/** Premultiplied means as 8-bit codes with straight alpha, before the background if there is one. */
+function straight(means: Float64Array, background: StillOptions['background']): Uint8Array {
   const pixels = new Uint8Array(means.length);
   for (let i = 0; i < means.length; i += 4) {
-    const alpha = means[i + 3]!;
+    const cover = means[i + 3]!;
+    const alpha = background === undefined ? cover : 255;
     pixels[i + 3] = Math.round(alpha);
     if (pixels[i + 3] === 0) continue;
-    for (let k = i; k < i + 3; k++) {
-      pixels[k] = Math.round(Math.min((255 * means[k]!) / alpha, 255));
+    for (let k = 0; k < 3; k++) {
+      const behind = (1 - cover / 255) * (background?.[k as 0] ?? 0);
+      pixels[i + k] = Math.round(Math.min((255 * (means[i + k]! + behind)) / alpha, 255));
     }
   }
   return pixels;

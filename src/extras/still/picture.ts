@@ -70,26 +70,22 @@ class Line {
   readonly colors: Float64Array;
   readonly #tracer: Tracer;
   readonly #y: number;
-  readonly #pieces: Int32Array;
-  readonly #taken: Uint8Array;
+  /** NaN until its sample is taken. */
+  readonly #pieces: Float64Array;
 
   constructor(tracer: Tracer, width: number, y: number) {
     const count = 2 * width + 1;
     this.#tracer = tracer;
     this.#y = y;
     this.colors = new Float64Array(4 * count);
-    this.#pieces = new Int32Array(count);
-    this.#taken = new Uint8Array(count);
+    this.#pieces = new Float64Array(count).fill(NaN);
   }
 
   pieceAt(i: number): number {
-    if (this.#taken[i] === 0) {
+    if (Number.isNaN(this.#pieces[i])) {
       this.#tracer.sampleAt(i / 2, this.#y, scratch);
-      this.#taken[i] = 1;
       this.#pieces[i] = scratch.piece;
-      for (let k = 0; k < 4; k++) {
-        this.colors[4 * i + k] = scratch.color[k as 0];
-      }
+      this.colors.set(scratch.color, 4 * i);
     }
     return this.#pieces[i]!;
   }
@@ -139,12 +135,7 @@ function castPixel(
     if (count < CAREFUL && (!isSmooth || piece === NOTHING) && count < most) continue;
     const taken = Math.min(count, most);
     isSmooth = meanOf(tracer, column, row, taken, piece) && isSmooth;
-    const range = Math.max(
-      high[0]! - low[0]!,
-      high[1]! - low[1]!,
-      high[2]! - low[2]!,
-      high[3]! - low[3]!,
-    );
+    const range = Math.max(...high.map((most, k) => most - low[k]!));
     const least = isSmooth ? 0 : CAREFUL;
     if (taken === most || (count >= least && isEnough(count, range, isSmooth))) return;
   }

@@ -202,20 +202,11 @@ export class Tracer {
 
   /** What is drawn at a place in the picture. */
   sampleAt(x: number, y: number, sample: Sample): void {
-    const { color } = sample;
-    const shaded = this.#color;
     const hit = this.#trace(x, y);
-    color[0] = 0;
-    color[1] = 0;
-    color[2] = 0;
-    color[3] = 0;
+    sample.color.fill(0);
     sample.piece = NOTHING;
     if (hit.t < Infinity) {
-      sample.piece = this.#shade(hit);
-      color[0] = 255 * shaded[0];
-      color[1] = 255 * shaded[1];
-      color[2] = 255 * shaded[2];
-      color[3] = 255;
+      this.#lay(hit, sample);
     }
     if (this.#layers.length === 0) return;
     // As they are drawn: object by object, triangle by triangle, each with the depth test.
@@ -225,11 +216,18 @@ export class Tracer {
     for (const layer of this.#layers) {
       if (!(layer.t <= depth)) continue;
       depth = layer.t;
-      sample.piece = Math.imul(sample.piece, 0x9e3779b1) + this.#shade(layer);
-      const { alpha } = this.#point;
-      for (let i = 0; i < 4; i++) {
-        color[i as 0] = 255 * alpha * (i < 3 ? shaded[i as 0] : 1) + (1 - alpha) * color[i as 0];
-      }
+      this.#lay(layer, sample);
+    }
+  }
+
+  /** Adds a surface before those that the sample has. */
+  #lay(hit: Hit, sample: Sample): void {
+    const { color } = sample;
+    sample.piece = Math.imul(sample.piece, 0x9e3779b1) + this.#shade(hit);
+    const { alpha } = this.#point;
+    for (let i = 0; i < 4; i++) {
+      const value = i < 3 ? this.#color[i as 0] : 1;
+      color[i as 0] = 255 * alpha * value + (1 - alpha) * color[i as 0];
     }
   }
 
