@@ -47,7 +47,10 @@ export async function castOnThreads(
   const workerData: CastJob = { scene, options, next, means };
   const thread = (): Promise<void> =>
     new Promise((resolve, reject) => {
-      new Thread(code, { workerData }).on('error', reject).on('exit', () => resolve());
+      // Not the flags of who calls: --input-type would stop a thread.
+      new Thread(code, { workerData, execArgv: [] })
+        .on('error', reject)
+        .on('exit', () => resolve());
     });
   await Promise.all(Array.from({ length: threads }, thread));
   return means;

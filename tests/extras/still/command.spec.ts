@@ -3,7 +3,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { withText } from '../../../src/extras/png/chunks.js';
@@ -230,6 +230,14 @@ test('images that the command has not made are neither written over nor replaced
   expect(folder.text('p.html').match(/<img[^>]*src="p\.[^>]*>/g)).toEqual([
     POSTER('p.7.2.png', 8, 8),
   ]);
+});
+
+test('a script from the command line draws on threads', () => {
+  const still = JSON.stringify(pathToFileURL(join(outputFolder('dist'), 'still.js')));
+  const script = `import { still } from ${still};
+    process.stdout.write((await still('<phong-viewer></phong-viewer>', { width: 9, height: 8, threads: 2 })).png.subarray(1, 4));`;
+  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script]);
+  expect({ out: stdout.toString(), err: stderr.toString() }).toEqual({ out: 'PNG', err: '' });
 });
 
 test('--out draws one picture and leaves the page as it is', () => {
