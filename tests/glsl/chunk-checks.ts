@@ -63,6 +63,23 @@ const power = (x: number, y: number, k: number): number => {
 const isInside = (q: number, p: number, limit: number): number =>
   (limit < 0 ? p >= -limit : q <= limit) ? 1 : 0;
 
+/** `knee`: where the curve's straight part ends. */
+const curve = (
+  name: string,
+  expected: (x: number) => number,
+  knee: number,
+  bound: number,
+): Check => ({
+  title: `${name} follows the curve, and gives 0 for less than 0`,
+  glsl: `result.x = ${name}(vec3(a.x)).x;`,
+  inputs: (random) => [
+    [f(random.pick([-0.1, 0, knee, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
+  ],
+  expected: ([x]) => [expected(x!)],
+  bound,
+  floor: 1e-6,
+});
+
 const CHECKS: readonly Check[] = [
   {
     title: 'powNearOne keeps x^k to 1e-6 for x beside 1 and exponents to 1e6',
@@ -229,27 +246,9 @@ const CHECKS: readonly Check[] = [
     bound: 3e-5,
     floor: 1,
   },
-  {
-    title: 'srgbDecode follows the curve, and gives 0 for less than 0',
-    glsl: 'result.x = srgbDecode(vec3(a.x)).x;',
-    inputs: (random) => [
-      [f(random.pick([-0.1, 0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
-    ],
-    expected: ([e]) => [srgbDecode(e!)],
-    // 100 is decoded to 2^16, where exp2 may err by 35 ULP.
-    bound: 1e-5,
-    floor: 1e-6,
-  },
-  {
-    title: 'srgbEncode follows the curve, and gives 0 for less than 0',
-    glsl: 'result.x = srgbEncode(vec3(a.x)).x;',
-    inputs: (random) => [
-      [f(random.pick([-0.1, 0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
-    ],
-    expected: ([l]) => [srgbEncode(l!)],
-    bound: 6e-6,
-    floor: 1e-6,
-  },
+  // 100 is decoded to 2^16, where exp2 may err by 35 ULP.
+  curve('srgbDecode', srgbDecode, 0.04045, 1e-5),
+  curve('srgbEncode', srgbEncode, 0.0031308, 6e-6),
 ];
 
 /**

@@ -54,29 +54,27 @@ test('the general program draws the same from a texture, from uniform arrays, an
 });
 
 // Those of software are in skipping.spec.ts, and in the tests of the elements.
-for (const device of firstOf(['gpu', 'software'] as const, 1)) {
-  test(`specialised programs draw the same as the general one, ${device}`, async ({ page }) => {
-    await openCore(page, device);
-    for (const [count, step] of [
-      [1, {}],
-      [2, { style: { reflection: 'blinn-phong' } }],
-      [5, { style: { shading: 'gouraud' }, shape: 'sphere' }],
-      [8, { surface: { shininess: 33.5 } }],
-      [8, { style: { terms: ['diffuse'] } }],
-    ] as const satisfies readonly (readonly [number, Step])[]) {
-      const lights = mixedLights(count, count);
-      const [general, settled] = await drawCore(
-        page,
-        { ...view, ...step, lights },
-        { frames: SETTLED },
-      );
-      expect(general!.isSpecialised).toBe(false);
-      expect(settled!.isSpecialised, JSON.stringify(step)).toBe(true);
-      expect(settled!.programs).toBe(general!.programs + 1);
-      expectSame(settled!, general!, JSON.stringify(step));
-    }
-  });
-}
+test('specialised programs of GPUs draw the same as the general one', async ({ page }) => {
+  await openCore(page, 'gpu');
+  for (const [count, step] of [
+    [1, {}],
+    [2, { style: { reflection: 'blinn-phong' } }],
+    [5, { style: { shading: 'gouraud' }, shape: 'sphere' }],
+    [8, { surface: { shininess: 33.5 } }],
+    [8, { style: { terms: ['diffuse'] } }],
+  ] as const satisfies readonly (readonly [number, Step])[]) {
+    const lights = mixedLights(count, count);
+    const [general, settled] = await drawCore(
+      page,
+      { ...view, ...step, lights },
+      { frames: SETTLED },
+    );
+    expect(general!.isSpecialised).toBe(false);
+    expect(settled!.isSpecialised, JSON.stringify(step)).toBe(true);
+    expect(settled!.programs).toBe(general!.programs + 1);
+    expectSame(settled!, general!, JSON.stringify(step));
+  }
+});
 
 test('a floor under many narrow spots looks the same with and without a grid', async ({ page }) => {
   const lights = Array.from({ length: 64 }, (_, i): Partial<LightValues> => ({

@@ -3,11 +3,13 @@
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
+import { markupIn } from '../../../src/extras/png/index.js';
 import { expect, test } from '../../support/test.js';
 import { countEverything, spentIn } from '../../element/support/counting.js';
 import {
   assign,
   cameraOf,
+  htmlOf,
   nextFrame,
   type PhongViewer,
   record,
@@ -194,7 +196,7 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
 
-test('saves a PNG, and copies the scene or shows it if no clipboard is there', async ({
+test('saves a PNG with the scene, and copies the scene or shows it if no clipboard is there', async ({
   page,
   mount,
   context,
@@ -205,9 +207,9 @@ test('saves a PNG, and copies the scene or shows it if no clipboard is there', a
   await button(panelOf(viewer), 'save PNG').click();
   const file = await download;
   expect(file.suggestedFilename()).toBe('phong-viewer.png');
-  expect(readFileSync(await file.path()).toString('latin1', 1, 4)).toBe('PNG');
+  const html = await htmlOf(viewer);
+  expect(await markupIn(new Uint8Array(readFileSync(await file.path())))).toBe(html);
 
-  const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
   await button(panelOf(viewer), 'copy HTML').click();
   await expect(button(panelOf(viewer), 'copied ✓')).toBeVisible();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(html);

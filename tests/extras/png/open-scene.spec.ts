@@ -58,18 +58,6 @@ test('a saved picture is the scene again, as one step of undo', async ({ page, m
   expect(blob.length).toBeGreaterThan(bare);
 });
 
-test('the panel saves pictures with their scene', async ({ page, mount }) => {
-  const viewer = await mount(BEFORE.replace('gui="lights"', 'gui'));
-  const saved = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'save PNG' }).click();
-  const stream = await (await saved).createReadStream();
-  const bytes: Uint8Array[] = [];
-  for await (const part of stream) {
-    bytes.push(part as Uint8Array);
-  }
-  expect(await markupIn(new Uint8Array(Buffer.concat(bytes)))).toBe(await htmlOf(viewer));
-});
-
 test('a picture without a scene is a sentence in the page’s language, and can be dismissed', async ({
   page,
   mount,
