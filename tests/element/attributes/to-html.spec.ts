@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { drag, htmlOf, type PhongViewer, shownBy } from '../support/viewer.js';
+import { drag, htmlOf, nextFrame, type PhongViewer, shownBy } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
 
@@ -39,14 +39,6 @@ test('toHTML gives the same picture, and the same markup again', async ({ page, 
   expect(text).not.toContain('<more>');
 });
 
-/** Two frames, in which events that wait for one arrive. */
-const frames = (viewer: Locator): Promise<void> =>
-  viewer.evaluate(async () => {
-    for (let i = 0; i < 2; i++) {
-      await new Promise(requestAnimationFrame);
-    }
-  });
-
 test('what the user moved is where toHTML says, to the last bit', async ({ page, mount }) => {
   const viewer = await mount(
     '<phong-viewer geometry="torus" fov="37" gui="radius"></phong-viewer>',
@@ -66,7 +58,7 @@ test('what the user moved is where toHTML says, to the last bit', async ({ page,
   ];
   for (const move of moves) {
     await move();
-    await frames(viewer);
+    await nextFrame(page); // events that wait for one
     const { written, camera } = await viewer.evaluate((element: PhongViewer) => {
       const parsed = new DOMParser().parseFromString(element.toHTML(), 'text/html');
       const text = (name: string) => parsed.body.firstElementChild!.getAttribute(name)!;

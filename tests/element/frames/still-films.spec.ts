@@ -4,7 +4,15 @@
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { film, keepPixels, viewerOf } from '../support/film.js';
-import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
+import {
+  assign,
+  nextFrame,
+  type PhongViewer,
+  samplesOf,
+  set,
+  settled,
+  statsOf,
+} from '../support/viewer.js';
 
 const size = { width: 64, height: 48 };
 
@@ -47,7 +55,7 @@ test('whatever happens, each frame is a whole picture, and it converges afterwar
   await keepPixels(page);
   await countEverything(page);
   const viewer = await mount(viewerOf(512, 'geometry="sphere"'), { ...size, waitForReady: false });
-  const samples = async (): Promise<number> => (await statsOf(viewer)).samples;
+  const samples = (): Promise<number> => samplesOf(viewer);
   const begins = (): Promise<void> => expect.poll(samples, { timeout: 20_000 }).toBeGreaterThan(0);
   const hide = (hidden: boolean): Promise<void> =>
     page.evaluate((isHidden) => {
@@ -257,12 +265,12 @@ test('where one sample takes seconds, the plain picture stays, and a quicker one
     performance.now = () => now.call(performance) + 500 * gpu.seen;
   });
   const viewer = await mount(viewerOf(64), size);
-  expect((await statsOf(viewer)).samples).toBe(0);
+  expect(await samplesOf(viewer)).toBe(0);
   const gpu = await page.evaluateHandle(
     () => Reflect.get(window, 'gpu') as Record<string, unknown>,
   );
   expect(await gpu.jsonValue(), 'one batch of one sample').toMatchObject({ drawn: 1 });
   await gpu.evaluate((it) => (it['isBusy'] = false));
   await set(viewer, { theta: 40 });
-  expect((await statsOf(viewer)).samples).toBe(64);
+  expect(await samplesOf(viewer)).toBe(64);
 });

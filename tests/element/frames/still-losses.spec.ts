@@ -4,18 +4,12 @@
 import type * as Three from 'three';
 import { usages } from '../../package/requests.js';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { holdContext } from '../page/many-viewers.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { film, keepPixels, LIGHT, viewerOf } from '../support/film.js';
-import { assign, nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
+import { assign, nextFrame, type PhongViewer, samplesOf, statsOf } from '../support/viewer.js';
 
 const size = { width: 48, height: 36 };
-
-declare global {
-  interface Window {
-    /** Loses and restores the page's WebGL context. */
-    loss: WEBGL_lose_context;
-  }
-}
 
 test('a context lost in the middle shows no part of a picture; samples begin again', async ({
   page,
@@ -23,37 +17,21 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
 }) => {
   await keepPixels(page);
   await countEverything(page);
-  await page.addInitScript(() => {
-    const real = HTMLCanvasElement.prototype.getContext as (
-      this: unknown,
-      ...given: unknown[]
-    ) => unknown;
-    HTMLCanvasElement.prototype.getContext = function (this: unknown, ...given: unknown[]) {
-      const made = real.apply(this, given);
-      // Null while it is lost.
-      if (made instanceof WebGL2RenderingContext) {
-        window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
-      }
-      return made;
-    } as typeof HTMLCanvasElement.prototype.getContext;
-  });
-  const lose = (): Promise<void> => page.evaluate(() => window.loss.loseContext());
-  const restore = (): Promise<void> => page.evaluate(() => window.loss.restoreContext());
+  await holdContext(page);
   for (const [what, other] of [
     ['alone', ''],
     ['beside another', viewerOf(16)],
   ] as const) {
     const viewer = await mount(viewerOf(128) + other, size);
     const before = await pixels(viewer);
-    const samples = async (): Promise<number> => (await statsOf(viewer)).samples;
     const notice = viewer.locator('[part=notice]');
     await assign(viewer, { theta: 31 });
     await assign(viewer, { theta: 30 });
-    await expect.poll(samples).toBeGreaterThan(0);
+    await expect.poll(() => samplesOf(viewer)).toBeGreaterThan(0);
     const rolling = await film(viewer);
-    await lose();
+    await page.evaluate('window.loss.loseContext()');
     await expect(notice).toHaveCount(1);
-    expect(await samples(), `${what}, lost`).toBe(0);
+    expect(await samplesOf(viewer), `${what}, lost`).toBe(0);
     await allReady(page);
     const { frames: filmed, timers, ...spent } = await spentIn(page, 200);
     expect(
@@ -61,10 +39,10 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
       `${what}: ${String(filmed)} frames are the film's`,
     ).toEqual(NOTHING);
     expect(timers, what).toBe(0);
-    await restore();
+    await page.evaluate('window.loss.restoreContext()');
     await expect(notice).toHaveCount(0);
     await allReady(page);
-    expect(await samples(), `${what}, restored`).toBe(128);
+    expect(await samplesOf(viewer), `${what}, restored`).toBe(128);
     await nextFrame(page);
     const frames = await rolling.stop();
     const [first] = frames;

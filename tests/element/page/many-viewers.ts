@@ -262,7 +262,9 @@ export async function holdContext(page: Page): Promise<void> {
     ) {
       const context = Reflect.apply(real, this, given) as unknown;
       if (context instanceof WebGL2RenderingContext) {
-        Object.assign(window, { loss: context.getExtension('WEBGL_lose_context') });
+        // Null while it is lost.
+        const loss = context.getExtension('WEBGL_lose_context');
+        Object.assign(window, loss && { loss });
       }
       return context;
     } as typeof real;
