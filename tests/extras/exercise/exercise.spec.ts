@@ -8,6 +8,7 @@ import {
   REFUSED_ONES,
   RIGHT,
   RIGHT_ONES,
+  SLOW,
   UNUSUAL_ONES,
   WRONG_ONES,
 } from './functions.js';
@@ -117,6 +118,8 @@ test('what cannot run says why, at its line, and what was written stays', async 
     await expect(one.getByRole('alert'), name).toContainText(reason);
     await expect(one.getByRole('textbox')).toHaveValue(source);
   }
+  await checkOf(one, SLOW);
+  await expect(one.getByRole('alert')).toContainText('The function takes too long');
   await checkOf(one, RECURSIVE);
   await expect(one.getByRole('alert')).toContainText('A function calls itself: f.');
   const [source] = REFUSED_ONES['a wrong name']!;

@@ -375,6 +375,13 @@ export const UNUSUAL_ONES: Readonly<Record<string, string>> = {
   'red and blue exchanged': changed([SUM, `(${SUM}).bgr`]),
 };
 
+/** As much as the guard lets through, for each pixel. */
+export const SLOW = `${HEAD}
+  vec3 x = p;
+  for (int i = 0; i < 100; i++) for (int j = 0; j < 100; j++) { ${'x=sin(x+x.yzx);'.repeat(13)} }
+  return x;
+}`;
+
 /** An overload that calls itself: only a compiler sees that. */
 export const RECURSIVE = `float f(float x) { return x; }
 vec2 f(vec2 x) { return f(x); }
