@@ -50,10 +50,8 @@ export function placed(
 
 /** Of a triangle, as seen from the eye. */
 export function cornersOf({ places, index }: PlacedTriangles, triangle: number): readonly Vec3[] {
-  return [0, 1, 2].map((k) => {
-    const at = 3 * triangle + k;
-    return vectorAt(places, 3 * (index === undefined ? at : index[at]!));
-  });
+  const corner = (i: number): Vec3 => vectorAt(places, 3 * (index === undefined ? i : index[i]!));
+  return [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];
 }
 
 /** How many triangles; 1 for a true shape. */
@@ -108,7 +106,10 @@ export const vectorAt = (list: ArrayLike<number>, i: number): Vec3 => [
 function eachOf(list: ArrayLike<number>, size: number, of: (v: Vec3) => Vec3): Float64Array {
   const out = new Float64Array((3 * list.length) / size);
   for (let i = 0; 3 * i < out.length; i++) {
-    out.set(of(vectorAt(list, size * i)), 3 * i);
+    const v = of(vectorAt(list, size * i));
+    for (let k = 0; k < 3; k++) {
+      out[3 * i + k] = v[k as 0];
+    }
   }
   return out;
 }

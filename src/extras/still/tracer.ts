@@ -92,7 +92,8 @@ export class Tracer {
 
   #list({ placed, object: { shape } }: ObjectSurface, object: number): void {
     const isTrue = placed.kind === 'true';
-    for (let triangle = 0; triangle < countOf(shape); triangle++) {
+    const count = countOf(shape);
+    for (let triangle = 0; triangle < count; triangle++) {
       const corners = isTrue ? placed.cube : cornersOf(placed, triangle);
       const thing = this.#lists.count;
       if (!this.#lists.add(corners)) continue;
@@ -155,49 +156,43 @@ export class Tracer {
       this.#layers = [];
     }
     this.#hit.t = Infinity;
+    const [dx, dy, dz] = [this.#d[0], this.#d[1], this.#d[2]];
+    const volumes = this.#volumes;
+    let most = Infinity;
     for (let i = starts[row * width + column]!; i < end; i++) {
       const thing = things[i]!;
-      const hit = this.#hit;
-      if (nears[thing]! > hit.t) break;
-      const next = this.#next;
-      if (!this.#meets(thing, hit.t, next)) continue;
+      if (nears[thing]! > most) break;
+      const at = STRIDE * thing;
+      const a = dx * volumes[at]! + dy * volumes[at + 1]! + dz * volumes[at + 2]!;
+      const b = dx * volumes[at + 3]! + dy * volumes[at + 4]! + dz * volumes[at + 5]!;
+      const c = dx * volumes[at + 6]! + dy * volumes[at + 7]! + dz * volumes[at + 8]!;
+      if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0))) continue;
+      const sum = a + b + c;
+      const t = volumes[at + 9]! / sum;
+      if (t <= 0 || t > most) continue; // NaN of a true shape
+      const [hit, next] = [this.#hit, this.#next];
       next.thing = thing;
       next.object = this.#objects[thing]!;
-      if (this.#accepts[next.object]?.(next) === false) continue;
+      next.triangle = this.#triangles[thing]!;
+      const { placed } = this.#surfaces[next.object]!;
+      if (placed.kind === 'true') {
+        next.t = Infinity;
+        if (!placed.intersect(placed.eye, turned(placed.toShape, this.#d), next)) continue;
+      } else {
+        next.t = t;
+        next.front = sum < 0 !== placed.mirrored;
+        next.a = a / sum;
+        next.b = b / sum;
+        next.c = c / sum;
+      }
+      if (!(next.t <= most) || this.#accepts[next.object]?.(next) === false) continue;
       // Of two that coincide the last one shows.
-      if (next.t === hit.t && thing < hit.thing) continue;
+      if (next.t === most && thing < hit.thing) continue;
+      most = next.t;
       this.#hit = next;
       this.#next = hit;
     }
     return this.#hit;
-  }
-
-  /** Whether the last ray meets the thing, not farther than `most`. Writes where. */
-  #meets(thing: number, most: number, hit: Hit): boolean {
-    const d = this.#d;
-    const [dx, dy, dz] = [d[0], d[1], d[2]];
-    const volumes = this.#volumes;
-    const at = STRIDE * thing;
-    const a = dx * volumes[at]! + dy * volumes[at + 1]! + dz * volumes[at + 2]!;
-    const b = dx * volumes[at + 3]! + dy * volumes[at + 4]! + dz * volumes[at + 5]!;
-    const c = dx * volumes[at + 6]! + dy * volumes[at + 7]! + dz * volumes[at + 8]!;
-    if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0))) return false;
-    const sum = a + b + c;
-    const t = volumes[at + 9]! / sum;
-    if (t <= 0 || t > most) return false; // NaN of a true shape
-    const { placed } = this.#surfaces[this.#objects[thing]!]!;
-    hit.triangle = this.#triangles[thing]!;
-    if (placed.kind === 'true') {
-      hit.t = Infinity;
-      return placed.intersect(placed.eye, turned(placed.toShape, d), hit) && hit.t <= most;
-    }
-    if (Number.isNaN(t)) return false;
-    hit.t = t;
-    hit.front = sum < 0 !== placed.mirrored;
-    hit.a = a / sum;
-    hit.b = b / sum;
-    hit.c = c / sum;
-    return true;
   }
 
   /** What is drawn at a place in the picture. */
