@@ -203,7 +203,11 @@ export function installWatch(): void {
     const by = seenBy.get(viewer) ?? { programs: '', place: '' };
     if (canvas === null) return { width: 0, height: 0, data: '', ...by };
     const flat = canvas.getContext('2d') !== null;
-    const copy = flat ? copied(canvas, canvas.width, canvas.height) : copies.get(viewer)!;
+    // Without a copy it is alone since its last picture, of an empty scene: no draw call copied it.
+    const { width, height } = canvas;
+    const copy = flat
+      ? copied(canvas, width, height)
+      : (copies.get(viewer) ?? new OffscreenCanvas(width, height));
     return { width: copy.width, height: copy.height, data: dataOf(copy), ...by };
   }
   async function blobOf(
