@@ -92,7 +92,10 @@ const seenOf = remembered(
     const geometry = cornersOf(scene.meshes[0]!, shading);
     const cast = castSceneOf(scene, () => trianglesOf(geometry));
     const tracer = new Tracer(cast, width, height);
-    const triangleAt = (x: number, y: number): number => tracer.hitAt(x + 0.5, y + 0.5).triangle;
+    const triangleAt = (x: number, y: number): number => {
+      const { t, triangle } = tracer.hitAt(x + 0.5, y + 0.5);
+      return t < Infinity ? triangle : -1;
+    };
     const colorAt =
       shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer, cast);
     const inside: (Seen & { readonly x: number; readonly y: number })[] = [];
