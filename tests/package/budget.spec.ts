@@ -17,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 125_000, modules: 59_600 } as const;
+const budgets = { standalone: 125_000, modules: 59_650 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({
@@ -61,8 +61,8 @@ test('@release a bundled app is not larger than measured, and smaller with the s
 });
 
 test('the script for pages opened from disk and the React components are not larger than measured', () => {
-  // Measured: 364.5 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(364_800);
+  // Measured: 365.0 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(365_200);
   // Measured: 0.95 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
