@@ -2,25 +2,53 @@
 // stranger, so the playground's rules apply: its markup is parsed into a document that runs and
 // fetches nothing, only lights, meshes and their own attributes are built, and they load files of
 // the page's site only.
-import { fieldsOf, historyOf, type PhongViewer } from '../../viewer/extra.js';
+import { fieldsOf, historyOf, type PhongViewer, type ValuesByTag } from '../../viewer/extra.js';
 import { SIGNATURE } from './chunks.js';
 import { markupIn, PngTextError } from './read-text.js';
 
 /** As in the playground: each mesh costs memory. */
 const MOST_CHILDREN = 1000;
 
-/** Values that say what a page lets its users do, and how it loads. They stay. */
-const OF_THE_PAGE: ReadonlySet<string> = new Set([
-  'poster',
-  'loading',
-  'droppable',
-  'crossOrigin',
-  'orbit',
-  'zoom',
-  'pixelRatio',
-  'cameraGroup',
-  'gui',
-]);
+/** Which values say what a page lets its users do, and how it loads: they stay. */
+const OF_THE_PAGE: Readonly<Record<keyof ValuesByTag['phong-viewer'], boolean>> = {
+  src: false,
+  type: false,
+  geometry: false,
+  segments: false,
+  autoplay: false,
+  animationName: false,
+  ka: false,
+  kd: false,
+  ks: false,
+  shininess: false,
+  alt: false,
+  poster: true,
+  loading: true,
+  droppable: true,
+  crossOrigin: true,
+  theta: false,
+  phi: false,
+  radius: false,
+  target: false,
+  fov: false,
+  orbit: true,
+  zoom: true,
+  autoRotate: false,
+  shading: false,
+  reflection: false,
+  terms: false,
+  colorInterpolation: false,
+  antialias: false,
+  samples: false,
+  pixelRatio: true,
+  helpers: false,
+  view: false,
+  viewLight: false,
+  probe: false,
+  probeAt: false,
+  cameraGroup: true,
+  gui: true,
+};
 
 /**
  * What opens the scene of this file in a viewer; null where it is no PNG.
@@ -47,7 +75,7 @@ function open(viewer: PhongViewer, declared: Element, children: readonly Element
     const { store } = fieldsOf(built(declared) as PhongViewer);
     const own = fieldsOf(viewer);
     for (const key of Object.keys(store.fields) as (keyof typeof store.fields)[]) {
-      if (!OF_THE_PAGE.has(key)) {
+      if (!OF_THE_PAGE[key]) {
         own.set(key, store.given(key) ? store.values[key] : null);
       }
     }
