@@ -20,7 +20,7 @@ vec3 viewNormals(Viewed at) {
 }
 
 /** A number of the light; 0 without one. */
-vec3 grey(float value) {
+vec3 ofLight(float value) {
   return vec3(value * uViewAttenuation.w);
 }
 

@@ -7,7 +7,7 @@ import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { fitTo } from '../../phong/geometry/framing.js';
 import { chosenLights, unknownLightText } from '../../phong/material/view/view-light.js';
-import { viewEntry } from '../../phong/material/view/view-table.js';
+import { type Quantity, viewEntry } from '../../phong/material/view/view-table.js';
 import type { View } from '../../phong/material/views.js';
 import { appearanceOf } from '../../phong/model/appearance.js';
 import { requireAtMost } from '../../phong/model/budget.js';
@@ -22,7 +22,6 @@ import type {
   CastOptions,
   CastScene,
   CastShape,
-  Quantity,
   TrueShape,
 } from './cast-scene.js';
 import type { Declared, ViewerValues, Warn } from './markup.js';

@@ -1,6 +1,7 @@
 // What the ray caster casts: a scene as plain data, so that threads can be sent it. World space
 // unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and
 // lights.
+import type { Quantity } from '../../phong/material/view/view-table.js';
 import type { LightValues, ReferenceOptions, Surface, Vec3 } from '../../phong/reference/index.js';
 
 /**
@@ -96,13 +97,11 @@ export interface CastObject {
   readonly material: CastMaterial;
 }
 
-/** What pixels show in place of the equation: a quantity of the fragment, or of the one light. */
-export type Quantity = 'normals' | 'n-dot-l' | 'r-dot-v' | 'attenuation' | 'decay';
-
 export interface CastScene extends Omit<ReferenceOptions, 'camera'> {
   readonly camera: CastCamera;
   readonly lights: readonly Readonly<LightValues>[];
   readonly objects: readonly CastObject[];
+  /** What pixels show in place of the equation: of the fragment, or of the one light. */
   readonly quantity?: Quantity;
 }
 

@@ -32,8 +32,8 @@ export interface ViewEntry {
   readonly scale: 'none' | 'unit' | 'axes';
 }
 
-const equation = (term: Term | null): Shows => ({ by: 'equation', term });
-const QUANTITY: Shows = { by: 'quantity' };
+const equation = (term: Term | null) => ({ by: 'equation', term }) as const;
+const QUANTITY = { by: 'quantity' } as const;
 
 export const VIEW_TABLE = {
   shaded: { shows: equation(null), lights: 'all', title: 'Shaded', scale: 'none' },
@@ -53,10 +53,17 @@ export const VIEW_TABLE = {
   },
 } as const satisfies Readonly<Record<View, ViewEntry>>;
 
-/** The GLSL expression of a quantity's colour: `grey(viewNDotL(at))`. */
+/** The views of a quantity. */
+export type Quantity = {
+  [V in View]: (typeof VIEW_TABLE)[V]['shows'] extends typeof QUANTITY ? V : never;
+}[View];
+
+/** The GLSL expression of a quantity's colour: `ofLight(viewNDotL(at))`. */
 export const viewValue = (view: View): string => {
   const call = `${`-${view}`.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase())}(at)`;
-  return viewEntry(view).scale === 'unit' ? `grey(view${call})` : `view${call}`;
+  const { scale, lights } = viewEntry(view);
+  if (scale !== 'unit') return `view${call}`;
+  return lights === 'one' ? `ofLight(view${call})` : `vec3(view${call})`;
 };
 
 /** The entry of a view, with all its possible fields. */
