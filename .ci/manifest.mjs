@@ -2,7 +2,7 @@
 // Writes the descriptions of the elements that editors and documentation tools read into dist/, and
 // the tables of demo/guide/reference.md and the exports in package.json. A step of `npm run build`.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
@@ -21,6 +21,7 @@ const { module: tables } = await runnerImport(join(repository, '.ci/manifest/tab
 });
 const elements = describeElements(/** @type {typeof import('./manifest/tables.js')} */ (tables));
 
+mkdirSync(outputFolder('dist'), { recursive: true });
 write('custom-elements.json', customElementsManifest(elements));
 const packageFile = join(repository, 'package.json');
 const packageText = readFileSync(packageFile, 'utf8');
