@@ -35,14 +35,14 @@ const tokensBelow = (folder: string): number =>
     .reduce((sum, { parentPath, name }) => sum + tokensOf(`${parentPath}/${name}`), 0);
 
 it.each([
-  ['src/phong', 71_450],
+  ['src/phong', 71_500],
   ['src/viewer', 60_580],
   ['src/extras/models', 66_730],
   ['src/extras/overlay', 30_860],
   ['src/extras/probe', 12_460],
   ['src/extras/panel', 19_640],
   ['src/extras/still', 23_940],
-  ['src/extras/png', 2_080],
+  ['src/extras/png', 2_200],
   ['src/extras/lazy', 870],
   ['src/extras/explain', 9_840],
   ['src/extras/samples', 4_970],
@@ -51,7 +51,7 @@ it.each([
   ['src/extras/frameworks', 1_090],
   ['src/extras/exercise', 13_950],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 519_100],
+  ['tests', 519_200],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);
