@@ -1,6 +1,7 @@
 // Does reading a glTF document let other tasks run after a bounded amount of work, whichever of its
 // lists is long? Every look at the clock says that the task has taken long enough, so that the
 // pauses count the slices.
+import { Mesh } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { glbOf, type Json } from '../../fuzz/glb.js';
 import { triangleDocument, triangleGlb } from '../../fuzz/models.js';
@@ -85,6 +86,23 @@ it('the nodes that a scene names thousands of times are visited once', async () 
   flatMap.mockRestore();
   expect(parts).toHaveLength(1);
   expect(visits).toBeLessThan(10 * (children + roots));
+});
+
+it('copies of a mesh that many nodes name are made with pauses in between', async () => {
+  const count = 200;
+  const nodes = Array<Json>(count).fill({ mesh: 0 });
+  const children = Array.from({ length: count }, (_, i) => i + 1);
+  /** Copies by the pauses before them. */
+  const copies: number[] = [];
+  const clone = vi.spyOn(Mesh.prototype, 'clone').mockImplementation(function (this: Mesh) {
+    copies[pauses.count] = (copies[pauses.count] ?? 0) + 1;
+    return new Mesh().copy(this);
+  });
+  const more = { nodes: [{ children }, ...nodes], scenes: [{ nodes: [0] }], scene: 0 };
+  await loadFiles({ 'a.glb': new Uint8Array(triangleGlb(more)) });
+  clone.mockRestore();
+  expect(copies.reduce((sum, each) => sum + each, 0)).toBe(count);
+  expect(Math.max(...copies.filter((each) => each > 0))).toBeLessThanOrEqual(8);
 });
 
 it('lists of another length than wanted are not walked', async () => {

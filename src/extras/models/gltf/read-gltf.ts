@@ -46,10 +46,18 @@ export const read: ModelReader = async (source) => {
   const bytes = gltfBytes(document, container, source);
   const images = new ImageTextures(source);
   const turn = turnsOf(slices);
+  const meshTurn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
     loadNode: (index) => turn().then(() => parser.loadNode(index)),
     loadMesh: (index) => turn().then(() => parser.loadMesh(index)),
+    // Nodes that name one mesh are copies of it, which are made once it is there.
+    createNodeMesh: (index) => {
+      const { mesh } = (parser.json as { nodes: { mesh?: number }[] }).nodes[index]!;
+      if (mesh === undefined) return null;
+      const loaded = parser.getDependency('mesh', mesh);
+      return meshTurn(loaded).then(() => parser.createNodeMesh(index));
+    },
     loadBufferView: async (index) => {
       const view = await bytes.view(index);
       const claims = document.draco.get(index);
@@ -96,12 +104,12 @@ export const read: ModelReader = async (source) => {
 };
 
 /**
- * A promise for each item of a list that the loader starts at once: they resolve in turn, with
- * pauses in between.
+ * A promise for each item of a list that the loader starts at once: they resolve in turn, each once
+ * what it waits for is there, with pauses in between.
  */
-function turnsOf(slices: Slices): () => Promise<void> {
+function turnsOf(slices: Slices): (waitsFor?: Promise<unknown>) => Promise<void> {
   let last = Promise.resolve();
-  return () => (last = last.then(() => slices.pauseIfDue()));
+  return (waitsFor) => (last = Promise.all([last, waitsFor]).then(() => slices.pauseIfDue()));
 }
 
 /**
