@@ -33,7 +33,7 @@ export function formatOf(
   bytes: Uint8Array,
   { type = '', mediaType = '', address = name }: FormatHints = {},
 ): FormatNames {
-  if (bytes.byteLength === 0) throw new ModelError('bad-model', `There is nothing in ${name}.`);
+  if (bytes.byteLength === 0) throw new ModelError('bad-model', `The model is empty: ${name}.`);
   const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(address)?.[1]?.toLowerCase() ?? '';
   const byContent = (Object.keys(CONTENT) as (keyof typeof CONTENT)[]).find((key) =>
     CONTENT[key](bytes),

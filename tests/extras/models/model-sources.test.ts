@@ -190,7 +190,7 @@ describe('formats', () => {
 
   it.each([
     ['solid x', 'x', supported],
-    ['', 'x.glb', /There is nothing in/],
+    ['', 'x.glb', /The model is empty/],
     ['<!doctype html>', 'x.obj', /web page/],
     ['Kaydara FBX Binary  \0', 'x', /^It is an FBX file, .*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/], // oxfmt-ignore
     ['; FBX 7.3.0 project file', 'x', /FBX/],
