@@ -17,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 125_000, modules: 59_650 } as const;
+const budgets = { standalone: 125_000, modules: 59_750 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({

@@ -98,7 +98,7 @@ export function requireAtMost(
 }
 
 const FEWER_TRIANGLES =
-  'Use fewer segments, fewer different shapes, or another shading than "flat", which counts each triangle 4.4 times.';
+  'Use fewer segments or shapes, or another shading than "flat", which counts each triangle 4.4 times.';
 
 /** Something that a mesh holds. */
 export interface Need {

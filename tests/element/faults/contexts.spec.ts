@@ -174,8 +174,7 @@ test('toBlob rejects if the context is lost before its event arrives or between 
       await wait();
       return [first, second, await picture()];
     }, width);
-    const message =
-      'Error: the graphics context is lost: there is no picture until the browser restores it';
+    const message = 'Error: the graphics context is lost';
     expect(outcomes, String(width)).toEqual([message, message, 'a picture']);
   }
 });

@@ -432,7 +432,6 @@ function hasMemory(context: CanvasRenderingContext2D, width: number, height: num
   }
 }
 
-const contextLost = (): Error =>
-  new Error('the graphics context is lost: there is no picture until the browser restores it');
+const contextLost = (): Error => new Error('the graphics context is lost');
 
 export const stage = new Stage();
