@@ -2,7 +2,7 @@
 // distance is cut.
 import { type Extent, stretch } from '../../geometry/bounds.js';
 import type { Frustum } from '../../geometry/frustum-clip.js';
-import type { Vec3 } from '../../math/vector.js';
+import { add, length, subtract, type Vec3 } from '../../math/vector.js';
 import type { Cut, CutName } from './cut-faces.js';
 import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes.js';
 
@@ -48,10 +48,8 @@ export function isLargeFor(view: Frustum, name: GeometryName, m: readonly number
 export function hasNoLarge({ frame: { origin, eye } }: Frustum, bounds: Extent['bounds']): boolean {
   if (bounds === null) return true;
   const { center, radius } = bounds;
-  const x = origin[0] + eye[0] - center[0];
-  const y = origin[1] + eye[1] - center[1];
-  const z = origin[2] + eye[2] - center[2];
-  return LARGE * (Math.sqrt(x * x + y * y + z * z) - radius) > 2 * radius;
+  const distance = length(subtract(add(origin, eye), center)) - radius;
+  return LARGE * distance > 2 * radius;
 }
 
 /**
