@@ -1,6 +1,6 @@
 // One run of a learner's function: at the sheet, at the picture, and what the colours say.
 import { type Term, TERMS } from '../../phong/light/light-state.js';
-import { clamp, type Vec3 } from '../../phong/math/vector.js';
+import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
 import { checked, type Fault, faultOf } from './guard.js';
 import {
@@ -13,6 +13,7 @@ import {
   isRight,
   type Judged,
   mistakesIn,
+  shownValue,
   STEP,
   type Work,
 } from '../../phong/mistakes/judge.js';
@@ -169,5 +170,3 @@ function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verd
 /** Of what a screen shows; not a number is as far as can be. */
 const distance = (a: number, b: number): number =>
   Number.isNaN(b) ? 1 : Math.abs(shownValue(a) - shownValue(b));
-
-const shownValue = (x: number): number => clamp(x, 0, 1);

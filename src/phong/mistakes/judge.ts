@@ -35,7 +35,7 @@ export const sumAt = (at: Case, form?: Form, isClamped = false): Vec3 =>
   at.reduce<Vec3>(
     (sum, given) => {
       const color = sumOfTerms(evaluate(given, form));
-      return add(sum, isClamped ? map(color, unit) : color);
+      return add(sum, isClamped ? map(color, shownValue) : color);
     },
     [0, 0, 0],
   );
@@ -130,8 +130,8 @@ export interface Judged {
 export function* compare(cases: readonly Case[], colors: Colors, isSheet = false): Work<Judged> {
   const isFine = (found: Vec3, right: Vec3): boolean =>
     isSheet
-      ? isWithinStep(found, right) || isWithinStep(found, map(right, unit))
-      : isWithinStep(map(found, unit), map(right, unit));
+      ? isWithinStep(found, right) || isWithinStep(found, map(right, shownValue))
+      : isWithinStep(map(found, shownValue), map(right, shownValue));
   const all: number[] = [];
   for (const [i, at] of cases.entries()) {
     if (!isFine(colorAt(colors, i), exactAt(at))) {
@@ -152,7 +152,8 @@ export function* compare(cases: readonly Case[], colors: Colors, isSheet = false
   return { cases, colors, wrong, count, isSheet };
 }
 
-const unit = (x: number): number => clamp(x, 0, 1);
+/** As a picture shows a sum. */
+export const shownValue = (x: number): number => clamp(x, 0, 1);
 
 export const isRight = ({ wrong, count }: Judged): boolean => wrong.length <= STRAY * count;
 
