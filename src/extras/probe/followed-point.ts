@@ -82,10 +82,10 @@ export class FollowedPoint {
     this.#values = values;
     this.#changed = changed;
     const { signal } = this.#listening;
+    const strengthen = (): void =>
+      void this.#ring.toggleAttribute('data-strong', element.matches(':hover, :focus-within'));
     for (const type of ['pointerenter', 'pointerleave', 'focusin', 'focusout'] as const) {
-      const mark = (): void =>
-        void this.#ring.toggleAttribute('data-strong', element.matches(':hover, :focus-within'));
-      element.addEventListener(type, mark, { signal });
+      element.addEventListener(type, strengthen, { signal });
     }
     void viewer.updateComplete
       .then(() => this.#listen())
@@ -301,8 +301,9 @@ export class FollowedPoint {
 
   /** As `shadeAt` takes it. */
   #pixelOf(point: Vec3): Point | null {
+    const zoom = this.#zoom;
     const at = this.#placeOf(point);
-    return at && { x: at.x * this.#zoom, y: at.y * this.#zoom };
+    return at && { x: at.x * zoom, y: at.y * zoom };
   }
 
   #mark(): void {

@@ -65,7 +65,7 @@ export class ObjectSurface {
     return colors === undefined ? alpha : alpha * this.mix(colors, 4, 3, hit);
   }
 
-  /** Writes {@link surface} for a hit. True shapes have their normal in the hit. */
+  /** Writes what the surface is at a hit, but for its normal: see {@link turn}. */
   at(hit: Hit, out: SurfacePoint): void {
     const { material } = this.object;
     const { texture, metalRoughTexture, emissiveTexture, unlit = false } = material;

@@ -45,8 +45,8 @@ export const read: ModelReader = async (source) => {
   await slices.pauseIfDue();
   const bytes = gltfBytes(document, container, source);
   const images = new ImageTextures(source);
-  const turn = turnsOf(slices);
-  const meshTurn = turnsOf(slices);
+  const turn = turnsBetweenPauses(slices);
+  const meshTurn = turnsBetweenPauses(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
     loadNode: (index) => turn().then(() => parser.loadNode(index)),
@@ -107,7 +107,7 @@ export const read: ModelReader = async (source) => {
  * A promise for each item of a list that the loader starts at once: they resolve in turn, each once
  * what it waits for is there, with pauses in between.
  */
-function turnsOf(slices: Slices): (waitsFor?: Promise<unknown>) => Promise<void> {
+function turnsBetweenPauses(slices: Slices): (waitsFor?: Promise<unknown>) => Promise<void> {
   let last = Promise.resolve();
   return (waitsFor) => (last = Promise.all([last, waitsFor]).then(() => slices.pauseIfDue()));
 }
