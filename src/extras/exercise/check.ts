@@ -20,7 +20,7 @@ import {
 import { type Images, imagesOf } from './paint.js';
 import type { PicturePoints } from './picture.js';
 import { openContext, Program } from './program.js';
-import { sliced } from './sliced.js';
+import { inTasks } from '../explain/in-tasks.js';
 import {
   only,
   type SceneName,
@@ -88,7 +88,7 @@ export async function check(
     const colors = await program.run(parts.flat(), signal);
     if (program.isLost()) return LOST;
     if (colors === null) return SLOW;
-    return await sliced(verdictOf(points, parts, colors, picture), signal);
+    return await inTasks(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
     if (program.isLost()) return LOST;
     throw error;

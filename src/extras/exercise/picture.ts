@@ -8,7 +8,7 @@ import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
 import { type Case, kindOf, type Work } from '../../phong/mistakes/judge.js';
-import { sliced } from './sliced.js';
+import { inTasks } from '../explain/in-tasks.js';
 import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 
 export interface PicturePoints {
@@ -42,7 +42,7 @@ export async function pointsOf(
   signal: AbortSignal,
 ): Promise<PicturePoints | null> {
   if (scene === null) return null;
-  return sliced(pixelPoints(scene, lights, task, await referenceCode()), signal);
+  return inTasks(pixelPoints(scene, lights, task, await referenceCode()), signal);
 }
 
 function* pixelPoints(

@@ -4,7 +4,7 @@
 import type { Lamp } from '../../phong/mistakes/sheet.js';
 import { type Fault, faultOf } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
-import { sliced } from './sliced.js';
+import { inTasks } from '../explain/in-tasks.js';
 
 const VERTEX = `#version 300 es
 void main() {
@@ -118,7 +118,7 @@ export class Program {
   async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array | null> {
     const gl = this.#gl;
     const height = Math.ceil(cases.length / WIDTH);
-    const [points, lamps] = await sliced(packed(cases, WIDTH * height), signal);
+    const [points, lamps] = await inTasks(packed(cases, WIDTH * height), signal);
     this.#upload(0, points);
     this.#upload(1, lamps);
     const target = gl.createTexture();

@@ -86,7 +86,7 @@ export function* pick<Owner>(
       if (foreign < depth) {
         [nearest, depth] = [null, foreign];
       }
-      yield 0;
+      yield;
       continue;
     }
     const { geometry, matrixWorld, phong } = drawn;
@@ -131,7 +131,7 @@ export function* distanceAlong(
   for (const drawn of snapshot.objects) {
     if (drawn.phong === null) {
       nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
-      yield 0;
+      yield;
     } else {
       yield* searchSurface(drawn, ray, (depth, _, read) => {
         if (depth < nearest && !isCutOut(drawn, read)) {

@@ -56,8 +56,8 @@ export interface TriangleHit extends TrianglePoint {
 /** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
 type MatrixRow = readonly [number, number, number, number];
 
-/** A search by rays. Yields, after each step, how many triangles it has tested in it. */
-export type RaySearch<Answer> = Generator<number, Answer>;
+/** A search by rays, in steps. */
+export type RaySearch<Answer> = Generator<undefined, Answer, undefined>;
 
 /** Triangles in a step: about a millisecond. */
 const STEP = 2 ** 14;
@@ -156,28 +156,25 @@ export function* searchTriangles(
       kept = here;
       here = free;
     }
-    return tested >= STEP;
+    if (tested < STEP) return false;
+    tested = 0;
+    return true;
   };
   const meets = (boxes: BoxList, at: number): boolean =>
     hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at);
-  yield* inSteps(geometry, [first, end], meets, test, () => {
-    const step = tested;
-    tested = 0;
-    return step;
-  });
+  yield* inSteps(geometry, [first, end], meets, test);
   return found ? hitOf(kept) : null;
 }
 
 /**
  * Tests runs of triangles of the corners `first` to `end` (excluded), but for boxes that do not
- * meet, until `test` ends a step. `spent`: how many triangles were tested in it.
+ * meet, until `test` ends a step.
  */
 function* inSteps(
   geometry: BufferGeometry,
   [first, end]: readonly [first: number, end: number],
   meets: BvhQuery['meets'],
   test: (from: number, to: number) => boolean,
-  spent: () => number,
 ): RaySearch<void> {
   // Runs begin at whole triangles of the index.
   const bvh = first % 3 === 0 ? yield* bvhInSteps(geometry) : null;
@@ -191,7 +188,7 @@ function* inSteps(
     } else {
       at = walkBvh(bvh, { meets, visit }, at);
     }
-    yield spent();
+    yield;
   }
 }
 
@@ -284,7 +281,9 @@ export function* searchNear(
       found = corner;
       reach = Math.sqrt(away);
     }
-    return tested >= STEP;
+    if (tested < STEP) return false;
+    tested = 0;
+    return true;
   };
   const meets = (boxes: BoxList, at: number): boolean => {
     const x = distanceToZero(rowX, boxes, at);
@@ -292,11 +291,7 @@ export function* searchNear(
     const z = distanceToZero(rowZ, boxes, at);
     return !(x * x + y * y + z * z > reach * reach);
   };
-  yield* inSteps(geometry, range, meets, test, () => {
-    const step = tested;
-    tested = 0;
-    return step;
-  });
+  yield* inSteps(geometry, range, meets, test);
   return found < 0 ? null : pointOf(found);
 }
 

@@ -13,7 +13,8 @@ import type {
   ViewerSnapshot,
 } from '../../viewer/extra.js';
 import { cornersOf, type Hit, pick, pickNear, tangentAt } from './pick.js';
-import { type RaySearch, weighted } from './ray-triangles.js';
+import { inTasks } from './in-tasks.js';
+import { weighted } from './ray-triangles.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
@@ -27,7 +28,7 @@ export async function shadeAt(
 ): Promise<FragmentExplanation | null> {
   const column = pixel('x', x, width, scene?.width ?? 0, exact);
   const row = pixel('y', y, height, scene?.height ?? 0, exact);
-  return explained(scene === null ? null : await answerTo(pick(scene, column, row)), lights);
+  return explained(scene === null ? null : await inTasks(pick(scene, column, row)), lights);
 }
 
 /** The same of a point in world space. */
@@ -42,39 +43,8 @@ export async function explain(
     throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
   }
   const search = scene === null ? null : pickNear(scene, point as unknown as Vec3);
-  return explained(search === null ? null : await answerTo(search), lights);
+  return explained(search === null ? null : await inTasks(search), lights);
 }
-
-/** Triangles that a search tests in the first task, up to 60 ms, and in each one after it, 8 ms. */
-const FIRST_TASK = 2 ** 20;
-const LATER_TASK = 2 ** 17;
-
-/** The answer of a search; at once for nearly all scenes. */
-async function answerTo<Answer>(search: RaySearch<Answer>): Promise<Answer> {
-  let left = FIRST_TASK;
-  for (let step = search.next(); ; step = search.next()) {
-    if (step.done === true) return step.value;
-    left -= step.value;
-    if (left <= 0) {
-      await nextTask();
-      left = LATER_TASK;
-    }
-  }
-}
-
-/**
- * Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a
- * request.
- */
-const nextTask = async (): Promise<void> =>
-  new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 
 async function explained(
   hit: Hit<PhongMesh | PhongViewer> | null,

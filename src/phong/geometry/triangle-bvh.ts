@@ -82,8 +82,8 @@ function walk(
  */
 const STEP = 2 ** 14;
 
-/** The geometry's boxes as it is now. Yields, after each step, how many triangles were read. */
-export function* bvhInSteps(geometry: BufferGeometry): Generator<number, Bvh> {
+/** The geometry's boxes as it is now. */
+export function* bvhInSteps(geometry: BufferGeometry): Generator<undefined, Bvh, undefined> {
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const positionVersion = 'data' in position ? position.data.version : position.version;
@@ -101,9 +101,8 @@ export function* bvhInSteps(geometry: BufferGeometry): Generator<number, Bvh> {
   const whole = 3 * Math.floor(corners / 3);
   const runs = new Float64Array(6 * Math.ceil(whole / (3 * IN_BOX)));
   for (let from = 0; from < whole; from += 3 * STEP) {
-    const end = Math.min(from + 3 * STEP, whole);
-    writeBoxesOfRuns(runs, position, index, from, end);
-    yield (end - from) / 3;
+    writeBoxesOfRuns(runs, position, index, from, Math.min(from + 3 * STEP, whole));
+    yield;
   }
   const levels: BoxList[] = [runs];
   for (let below = levels[0]!; below.length > 6; below = levels.at(-1)!) {

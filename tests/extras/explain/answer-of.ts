@@ -1,15 +1,14 @@
 // Runs a search by rays to its end in one go.
 import type { RaySearch } from '../../../src/extras/explain/ray-triangles.js';
 
-/** The answer, and how many triangles each step tested. */
+/** The answer, and the number of steps before it. */
 export function stepsOf<Answer>(search: RaySearch<Answer>): {
   readonly answer: Answer;
-  readonly steps: readonly number[];
+  readonly steps: number;
 } {
-  const steps: number[] = [];
-  for (let step = search.next(); ; step = search.next()) {
-    if (step.done === true) return { answer: step.value, steps };
-    steps.push(step.value);
+  for (let steps = 0; ; steps++) {
+    const { done, value } = search.next();
+    if (done === true) return { answer: value, steps };
   }
 }
 

@@ -3,6 +3,7 @@
 import type { SceneSnapshot } from '../../../phong/geometry/scene-snapshot.js';
 import type { ExtraHost } from '../../../viewer/extra.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
+import { runFor } from '../../explain/in-tasks.js';
 import { pick } from '../../explain/pick.js';
 import type { RaySearch } from '../../explain/ray-triangles.js';
 import type { Projection } from '../drawing/projection.js';
@@ -106,10 +107,7 @@ export class RayTests<Key, Answer> {
 
   #slice(series: RaySearch<boolean>): void {
     const begun = performance.now();
-    let step = series.next();
-    while (step.done !== true && performance.now() < begun + SLICE) {
-      step = series.next();
-    }
+    const step = runFor(SLICE, series);
     this.#took += performance.now() - begun;
     if (step.done !== true) {
       this.#slicing = true;
