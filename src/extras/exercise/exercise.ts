@@ -9,7 +9,6 @@ import {
   type PhongViewer,
   phrase,
   type ViewerText,
-  type ViewerTexts,
 } from '../../viewer/extra.js';
 import { check, type Verdict } from './check.js';
 import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
@@ -94,12 +93,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return this.viewerById(this.values.for);
   }
 
-  get #texts(): ViewerTexts | null {
-    return this.textsOf(this.#viewer);
-  }
-
   readonly #say = (text: string, values: Fault['values'] = {}): string => {
-    const texts = this.#texts;
+    const texts = this.textsOf(this.#viewer);
     const words = Object.entries(values).map(([key, value]) => [
       key,
       typeof value === 'number' ? localNumber(grouped(value), texts) : value,

@@ -32,7 +32,7 @@ const MOST_COST = 2_000_000;
 
 const MOST_ELEMENTS = 64;
 
-/** Macros in the arguments of macros. */
+/** Brackets in brackets, and macros in the arguments of macros. */
 const MOST_DEPTH = 100;
 
 /** Words of the code that a matrix stands for. */
@@ -231,7 +231,11 @@ const WRITERS = /^(out|inout|modf|frexp|\w+(Carry|Borrow|Extended))$/;
 class Reading {
   readonly #tokens: readonly Token[];
   readonly #bodies: readonly Body[];
-  readonly #needs = new Map<Body, Needs | null>();
+  /** What is being read: a function, its caller, and so on; the outermost is first. */
+  readonly #callers: Body[] = [];
+  #recursive: Body | undefined;
+  /** In tokens: overloads that may call each other form many chains. */
+  #read = 0;
   /** Tokens that one stands for. */
   readonly #weight: number;
 
@@ -250,7 +254,10 @@ class Reading {
         null,
       );
     }
-    this.#bodies.forEach((body) => this.#needsOf(body));
+    if (this.#bodies.some((body) => this.#needsOf(body) === null)) {
+      const { name, line } = this.#recursive!;
+      throw new Refused('A function calls itself: {name}. GLSL has no recursion.', line, { name });
+    }
     if (!shades.some(({ types }) => types.join(' ') === 'vec3 Light Material vec3 vec3 vec3')) {
       throw new Refused(
         'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).',
@@ -268,7 +275,7 @@ class Reading {
         throw new Refused(UNMATCHED, line);
       }
       const isLong = text === '[' && numberIn(this.#tokens[i + 1]?.text) > MOST_ELEMENTS;
-      if (isLong) throw new Refused(TOO_MUCH, line);
+      if (isLong || open.length > MOST_DEPTH) throw new Refused(TOO_MUCH, line);
     }
     if (open.length > 0) throw new Refused(UNMATCHED, open.at(-1)!.line);
   }
@@ -303,36 +310,34 @@ class Reading {
     return bodies;
   }
 
-  #needsOf(body: Body): Needs {
-    const { name, line } = body;
-    const known = this.#needs.get(body);
-    if (known === null) {
-      throw new Refused('A function calls itself: {name}. GLSL has no recursion.', line, { name });
+  /** Null where it cannot but call itself. */
+  #needsOf(body: Body): Needs | null {
+    if (this.#callers.includes(body)) {
+      this.#recursive = body;
+      return null;
     }
-    if (known !== undefined) return known;
-    this.#needs.set(body, null);
-    const needs = this.#needsIn(body, body.tokens);
-    this.#needs.set(body, needs);
+    this.#callers.push(body);
+    const needs = this.#needsIn(body.tokens);
+    this.#callers.pop();
     return needs;
   }
 
   /**
-   * What a word of `caller` may call: functions that are declared before it and have as many
-   * parameters. An overload that calls its name means another one, if there is one: where it means
-   * itself all compilers refuse it.
+   * What the word at `i` may call: functions that are declared before the caller and have as many
+   * parameters. Which of several overloads it is only a compiler knows, which refuses recursion.
    */
-  #calledBy(caller: Body, tokens: readonly Token[], i: number): readonly Body[] {
+  #calledAt(tokens: readonly Token[], i: number): readonly Body[] {
     const { text } = tokens[i]!;
     if (tokens[i - 1]?.text === '.' || tokens[i + 1]?.text !== '(') return [];
     const args = partsOf(tokens.slice(i + 2, closing(tokens, i + 1))).length;
-    const called = this.#bodies.filter(
+    const { at } = this.#callers.at(-1)!;
+    return this.#bodies.filter(
       ({ name, types, declaredAt }) =>
-        name === text && types.length === args + 1 && declaredAt <= caller.at,
+        name === text && types.length === args + 1 && declaredAt <= at,
     );
-    return called.length > 1 ? called.filter((body) => body !== caller) : called;
   }
 
-  #needsIn(caller: Body, tokens: readonly Token[]): Needs {
+  #needsIn(tokens: readonly Token[]): Needs | null {
     let turns = 1;
     let cost = 0;
     let code = 0;
@@ -345,9 +350,12 @@ class Reading {
           most: MOST_TURNS,
         });
       }
-      if (cost > MOST_COST || code > MOST_CODE) throw new Refused(TOO_MUCH, line);
+      if (cost > MOST_COST || code > MOST_CODE || this.#read > 10 * MOST_CODE) {
+        throw new Refused(TOO_MUCH, line);
+      }
     };
     const own = this.#weight * tokens.length;
+    this.#read += own;
     plus({ turns: 1, cost: own, code: own }, tokens[0]?.line ?? 1);
     for (let i = 0; i < tokens.length; i++) {
       const { text, line } = tokens[i]!;
@@ -358,12 +366,16 @@ class Reading {
         const body = tokens.slice(close + 1, end + 1);
         const times = this.#turns(wordsOf(tokens.slice(i + 2, close)), wordsOf(body));
         if (times === null) throw new Refused(LOOP, line);
-        plus(this.#needsIn(caller, body), line, Math.max(times, 1));
+        const needs = this.#needsIn(body);
+        if (needs === null) return null;
+        plus(needs, line, Math.max(times, 1));
         i = end;
       } else {
-        for (const body of this.#calledBy(caller, tokens, i)) {
-          plus(this.#needsOf(body), line);
-        }
+        const called = this.#calledAt(tokens, i);
+        const all = called.flatMap((body) => this.#needsOf(body) ?? []);
+        if (all.length === 0 && called.length > 0) return null;
+        const most = (key: keyof Needs): number => Math.max(0, ...all.map((needs) => needs[key]));
+        plus({ turns: most('turns'), cost: most('cost'), code: most('code') }, line);
       }
     }
     return { turns, cost, code };
@@ -445,7 +457,7 @@ function closing(tokens: readonly Token[], open: number): number {
 function statementEnd(tokens: readonly Token[], start: number): number {
   const text = tokens[start]?.text;
   if (text === '{') return closing(tokens, start);
-  if (text === 'for' || text === 'if' || text === 'switch' || text === 'while') {
+  if (text === 'for' || text === 'if' || text === 'switch') {
     const end = statementEnd(tokens, closing(tokens, start + 1) + 1);
     return tokens[end + 1]?.text === 'else' ? statementEnd(tokens, end + 2) : end;
   }

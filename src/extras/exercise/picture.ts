@@ -92,7 +92,6 @@ function* pixelPoints(
       emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
     }
   }
-  const isGouraud = scene.objects.some(({ phong }) => phong?.style.shading === 'gouraud');
   return {
     width,
     height,
@@ -102,7 +101,7 @@ function* pixelPoints(
     axes,
     linear,
     emissive,
-    isGouraud,
+    isGouraud: scene.objects.some(({ phong }) => phong?.style.shading === 'gouraud'),
   };
 }
 

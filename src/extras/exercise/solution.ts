@@ -39,25 +39,25 @@ export function solutionFor({ terms, kinds, reflection }: Task): string {
         ? 'vec3 D = light.position.xyz;'
         : '',
     isSurface || isSpot ? 'vec3 L = normalize(D);' : '',
-    isSpot ? 'float c = dot(L, -normalize(light.axis));' : '',
     isSpot
-      ? 'if (light.aperture < 180.0 && acos(clamp(c, -1.0, 1.0)) > radians(light.aperture)) return vec3(0.0);'
+      ? `float c = dot(L, -normalize(light.axis));
+  if (light.aperture < 180.0 && acos(clamp(c, -1.0, 1.0)) > radians(light.aperture)) return vec3(0.0);
+  float decay = light.cutoff > 0.0 ? pow((c + 1.0) / 2.0, light.cutoff) : 1.0;`
       : '',
-    isSpot ? 'float decay = light.cutoff > 0.0 ? pow((c + 1.0) / 2.0, light.cutoff) : 1.0;' : '',
-    isPlace && isSurface ? 'float d = length(D);' : '',
-    isPlace && isSurface ? 'vec3 k = light.attenuation;' : '',
     isPlace && isSurface
-      ? 'float att = light.position.w == 0.0 ? 1.0 : 1.0 / max(k.x + k.y * d + k.z * d * d, 1.0);'
+      ? `float d = length(D);
+  vec3 k = light.attenuation;
+  float att = light.position.w == 0.0 ? 1.0 : 1.0 / max(k.x + k.y * d + k.z * d * d, 1.0);`
       : '',
-    isSurface ? 'vec3 N = normalize(normal);' : '',
-    isSurface ? 'float NoL = dot(N, L);' : '',
-    has('specular') ? 'vec3 V = normalize(eye - p);' : '',
+    isSurface
+      ? `vec3 N = normalize(normal);
+  float NoL = dot(N, L);`
+      : '',
     has('specular')
-      ? reflection === 'phong'
-        ? 'float cosine = dot(reflect(-L, N), V);'
-        : 'float cosine = dot(N, normalize(L + V));'
+      ? `vec3 V = normalize(eye - p);
+  float cosine = dot(${reflection === 'phong' ? 'reflect(-L, N), V' : 'N, normalize(L + V)'});
+  float spec = NoL > 0.0 ? pow(max(cosine, 0.0), m.shininess) : 0.0;`
       : '',
-    has('specular') ? 'float spec = NoL > 0.0 ? pow(max(cosine, 0.0), m.shininess) : 0.0;' : '',
     `return ${isSpot ? 'decay * (' : ''}${sum.join(' + ') || 'vec3(0.0)'}${isSpot ? ')' : ''};`,
   ];
   const body = lines.filter((line) => line !== '').map((line) => `  ${line}\n`);

@@ -34,12 +34,12 @@ export function sentencesFor(
   if (hint === 'verdict') return [say(right ? NO_MISTAKE : 'Not right yet.')];
   if (right) {
     return [
-      rightPixels === pixels
-        ? say('Right: within one 8-bit step at all {count} pixels, and at the test scenes.', count)
-        : say(
-            'Right: within one 8-bit step at {right} of {count} pixels, and at the test scenes.',
-            count,
-          ),
+      say(
+        rightPixels === pixels
+          ? 'Right: within one 8-bit step at all {count} pixels, and at the test scenes.'
+          : 'Right: within one 8-bit step at {right} of {count} pixels, and at the test scenes.',
+        count,
+      ),
     ];
   }
   const { terms, difference, undefinedPixels } = verdict;

@@ -84,22 +84,17 @@ vec3 shade(Light lamp, Material mat, vec3 pos, vec3 n, vec3 camera) {
   return decay * color;
 }`;
 
-/** The first writing with one piece or more replaced. */
-function changed(...pairs: readonly (readonly [from: string, to: string])[]): string {
-  return pairs.reduce((source, [from, to]) => {
-    if (!source.includes(from)) throw new Error(`not in the function: ${from}`);
-    return source.replaceAll(from, to);
-  }, RIGHT);
+function replaced(source: string, from: string, to: string): string {
+  if (!source.includes(from)) throw new Error(`not in the function: ${from}`);
+  return source.replaceAll(from, to);
 }
 
-const inShort = (from: string, to: string): string => {
-  if (!SHORT.includes(from)) throw new Error(`not in the function: ${from}`);
-  return SHORT.replaceAll(from, to);
-};
-const inLong = (from: string, to: string): string => {
-  if (!LONG.includes(from)) throw new Error(`not in the function: ${from}`);
-  return LONG.replaceAll(from, to);
-};
+/** The first writing with one piece or more replaced. */
+const changed = (...pairs: readonly (readonly [from: string, to: string])[]): string =>
+  pairs.reduce((source, [from, to]) => replaced(source, from, to), RIGHT);
+
+const inShort = (from: string, to: string): string => replaced(SHORT, from, to);
+const inLong = (from: string, to: string): string => replaced(LONG, from, to);
 
 const DIFFUSE = 'max(NoL, 0.0)';
 const LOBE = 'pow(max(dot(R, V), 0.0), m.shininess)';
@@ -461,7 +456,6 @@ ${HEAD} return vec3(f30()); }`,
   'our main': [`void main() {} ${RIGHT}`, 'Leave out main'],
   'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, 'Leave out Light'],
   pragma: [`#pragma optimize(off)\n${RIGHT}`, 'only #define is allowed'],
-  version: [`#version 300 es\n${RIGHT}`, 'only #define is allowed'],
   'an open comment': [`${RIGHT}\n/* and the rest`, 'A comment is not closed'],
   'a brace too many': [`${RIGHT} }`, 'Braces or brackets do not match'],
   'a brace too few': [RIGHT.slice(0, -1), 'Braces or brackets do not match'],
@@ -507,6 +501,10 @@ ${HEAD} return vec3(f30()); }`,
   ],
   'matrices by the hundred': [
     `${HEAD} mat4 a = mat4(p.x); ${'a=a*a;'.repeat(1500)} return a[0].xyz; }`,
+    'The function does too much',
+  ],
+  'brackets by the thousand': [
+    `float g(float x) { return x; }\n${HEAD} return vec3(${'g('.repeat(3000)}p.x${')'.repeat(3000)}); }`,
     'The function does too much',
   ],
   'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],

@@ -46,8 +46,27 @@ it.each([
   expect(checked(`${HEAD} float x = 0.0; ${loop} return vec3(x); }`)).toHaveProperty('glsl');
 });
 
-it('lets through a macro in what the same macro is given', () => {
-  const source = `#define MOST(a, b) ((a) > (b) ? (a) : (b))\n${HEAD} return vec3(MOST(p.x, MOST(p.y, p.z))); }`;
+it.each([
+  [
+    'overloads in a chain',
+    `float f(float x); float f(vec2 x); float f(vec3 x);
+float f(vec3 x) { return f(x.xy) + x.z; }
+float f(vec2 x) { return f(x.x) + x.y; }
+float f(float x) { return max(x, 0.0); }
+${HEAD} return vec3(f(p)); }`,
+  ],
+  [
+    'a function between two overloads',
+    `float g(float x); vec2 g(vec2 x); float f(float x) { return g(x); }
+vec2 g(vec2 x) { return vec2(f(x.x), f(x.y)); }
+float g(float x) { return max(x, 0.0); }
+${HEAD} return g(p.xy).xyy; }`,
+  ],
+  [
+    'a macro in what the same macro is given',
+    `#define MOST(a, b) ((a) > (b) ? (a) : (b))\n${HEAD} return vec3(MOST(p.x, MOST(p.y, p.z))); }`,
+  ],
+])('lets through %s', (_, source) => {
   expect(checked(source)).toHaveProperty('glsl');
 });
 
