@@ -60,6 +60,13 @@ const power = (x: number, y: number, k: number): number => {
   return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
 };
 
+/** A place, and a cone's limit that it is at or any other, or one of `more`. */
+function coneInputs(random: Random, ...more: readonly number[]): [Numbers] {
+  const q = f(random.from(0, 1));
+  const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), ...more]);
+  return [[q, f(1 - q), limit]];
+}
+
 const isInside = (q: number, p: number, limit: number): number =>
   (limit < 0 ? p >= -limit : q <= limit) ? 1 : 0;
 
@@ -136,17 +143,7 @@ const CHECKS: readonly Check[] = [
   {
     title: 'insideCone compares the nearer side of the axis, and the far side beyond 90°',
     glsl: 'result.x = insideCone(a.x, a.y, a.z, FEATURE_NARROW + FEATURE_WIDE) ? 1.0 : 0.0;',
-    inputs(random) {
-      const q = f(random.from(0, 1));
-      const limit = random.pick([
-        q,
-        f(random.from(0, 0.5)),
-        -f(1 - q),
-        f(random.from(-0.5, 0)),
-        LIMIT_OPEN,
-      ]);
-      return [[q, f(1 - q), limit]];
-    },
+    inputs: (random) => coneInputs(random, f(random.from(-0.5, 0)), LIMIT_OPEN),
     expected: ([q, p, limit]) => [isInside(q!, p!, limit!)],
     bound: 0,
   },
@@ -156,16 +153,7 @@ const CHECKS: readonly Check[] = [
     glsl: `
       int features = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
       result.xy = vec2(insideCone(a.x, a.y, a.z, features), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
-    inputs(random) {
-      const q = f(random.from(0, 1));
-      const limit = random.pick([
-        q,
-        f(random.from(0, 0.5)),
-        -f(1 - q),
-        f(random.from(-0.5, -1e-6)),
-      ]);
-      return [[q, f(1 - q), limit]];
-    },
+    inputs: (random) => coneInputs(random, f(random.from(-0.5, -1e-6))),
     expected: ([q, p, limit]) => [isInside(q!, p!, limit!), 1],
     bound: 0,
   },
