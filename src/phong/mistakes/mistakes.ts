@@ -87,7 +87,16 @@ const shared = (of: (term: Term, so: Readonly<Values>) => number): Pick<Steps, '
   }),
 });
 
-/** Cosines may be kept below 1: of long vectors some are not. */
+/** Terms that cone or decay may be left out of, besides the ambient one alone. */
+const SOME_TERMS: readonly (readonly Term[])[] = [
+  ['diffuse'],
+  ['specular'],
+  ['ambient', 'diffuse'],
+  ['ambient', 'specular'],
+  ['diffuse', 'specular'],
+];
+
+/** Cosines may be kept below 1: some cosines of long vectors are above it. */
 const capped: readonly Form[] = [
   {},
   { lambert: ({ NoL }) => clamp(NoL, 0, 1) },
@@ -361,13 +370,7 @@ export const MISTAKES = {
     forms: [
       { isInside: () => true },
       // The ambient term alone is a mistake of its own.
-      ...[
-        ['diffuse'],
-        ['specular'],
-        ['ambient', 'diffuse'],
-        ['ambient', 'specular'],
-        ['diffuse', 'specular'],
-      ].map((without) =>
+      ...SOME_TERMS.map((without) =>
         shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
       ),
     ],
@@ -401,14 +404,7 @@ export const MISTAKES = {
     sentence: 'The decay away from the axis is missing, or not applied to every term.',
     forms: [
       { decay: () => 1 },
-      ...[
-        ['ambient'],
-        ['diffuse'],
-        ['specular'],
-        ['ambient', 'diffuse'],
-        ['ambient', 'specular'],
-        ['diffuse', 'specular'],
-      ].map((without) =>
+      ...[['ambient' as Term], ...SOME_TERMS].map((without) =>
         shared((term, { isInside, decay }) =>
           isInside ? (without.includes(term) ? 1 : decay) : 0,
         ),
