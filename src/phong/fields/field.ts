@@ -83,8 +83,8 @@ export const outside = (expected: string, value: unknown): RangeError =>
 function numberCheck(
   { min = -Number.MAX_VALUE, max = Number.MAX_VALUE, above = -Infinity, integer = false }: Range,
   expected: string,
-): (value: unknown, whole: unknown) => number {
-  return (value, whole) => {
+): (value: unknown, whole?: unknown) => number {
+  return (value, whole = value) => {
     if (typeof value !== 'number') throw wrong(expected, whole);
     if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value))) {
       return value + 0; // -0 would show as "0" and divide as "-"
@@ -95,8 +95,7 @@ function numberCheck(
 
 export function numberField(fallback: number, range: Range): Field<number> {
   const expected = `a ${rangeWords(range)}`;
-  const check = numberCheck(range, expected);
-  return { kind: 'number', fallback, expected, check: (value) => check(value, value) };
+  return { kind: 'number', fallback, expected, check: numberCheck(range, expected) };
 }
 
 /**
