@@ -64,11 +64,11 @@ export class PhongMaterial extends RawShaderMaterial {
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
   readonly #programs: MaterialPrograms;
-  /** The keys of variants that were there before a draw. */
-  readonly #there = new Set<string>();
+  /** The keys of variants whose programs were compiled before a draw. */
+  readonly #compiled = new Set<string>();
   #linear = false;
   #variant: Variant | null = null;
-  // Of the last draw.
+  // What the last draw used.
   #lights: LightBuffer | null = null;
   #aim = 0;
   readonly #uniforms;
@@ -155,11 +155,11 @@ export class PhongMaterial extends RawShaderMaterial {
    * Whether the program of its next draw is being compiled in the background; drawing waits for it.
    */
   compiles(renderer: BeforeRender[0], camera: BeforeRender[2]): boolean {
-    const variant = this.#programs.general;
-    if (this.#there.has(variant.key)) return false;
+    const variant = this.#programs.general();
+    if (this.#compiled.has(variant.key)) return false;
     this.#use(variant);
     if (compiles(this, renderer, camera)) return true;
-    this.#there.add(variant.key);
+    this.#compiled.add(variant.key);
     return false;
   }
 

@@ -21,10 +21,13 @@ export class MaterialPrograms {
   readonly #everTerms = new Set<Term>();
   /** All exponents so far were mild: see LARGEST_MILD_POWER. */
   #mildShininess = true;
-  /** The general variant and what it was made for; null after a change of style or surface. */
-  #general: { variant: Variant; declared: number; capacity: number; linear: boolean } | null = null;
-  /** What a specialised program is made from besides its lights; belongs to the general variant. */
-  #drawn: DrawnMaterial | null = null;
+  /** What was made last, and for what; null after a change of style or surface. */
+  #made: {
+    readonly drawn: DrawnMaterial;
+    readonly declared: number;
+    readonly capacity: number;
+    readonly linear: boolean;
+  } | null = null;
 
   constructor(lighting: PhongLighting, look: BaseLook) {
     this.#lighting = lighting;
@@ -42,38 +45,38 @@ export class MaterialPrograms {
     if (varies || !isMildPower(shininess)) {
       this.#mildShininess = false;
     }
-    this.#general = null;
+    this.#made = null;
     this.#lighting.needs.restyled();
   }
 
-  /** The one that draws at once. */
-  get general(): Variant {
+  /** The variant that draws at once. */
+  general(): Variant {
     const { packing, needs } = this.#lighting;
-    const shown = packing.view?.program ?? null;
-    return shown === null ? this.#generalFor(needs.capacity) : shown.variant(this.#generalFor(0));
+    const program = packing.view?.program ?? null;
+    const { general } = this.#drawnWith(program === null ? needs.capacity : 0);
+    return program === null ? general : program.variant(general);
   }
 
   /** The program for this draw, and the lights it reads. */
   forDraw(draw: Draw): { readonly variant: Variant; readonly lights: LightBuffer } {
-    const lighting = this.#lighting;
-    lighting.drawWith(draw.renderer);
-    const lights = lighting.meshLights.of(draw.mesh);
-    const general = this.general;
-    const hasOne = this.#look.unlit || (lighting.packing.view?.program ?? null) !== null;
-    const special = hasOne ? null : lighting.special?.forDraw(draw, this.#drawn!, lights);
-    return special ?? { variant: general, lights };
+    const { meshLights, needs, packing, special } = this.#lighting;
+    this.#lighting.drawWith(draw.renderer);
+    const lights = meshLights.of(draw.mesh);
+    const plain = { variant: this.general(), lights };
+    if (this.#look.unlit || (packing.view?.program ?? null) !== null) return plain;
+    return special?.forDraw(draw, this.#drawnWith(needs.capacity), lights) ?? plain;
   }
 
   /**
-   * The program for any number of lights of the declared features. `capacity` as in {@link
-   * generalVariant}.
+   * The general variant for any number of lights of the declared features, and what specialised
+   * ones are made from. `capacity` as in {@link generalVariant}.
    */
-  #generalFor(capacity: number): Variant {
+  #drawnWith(capacity: number): DrawnMaterial {
     const { linear, needs } = this.#lighting;
     const { declared } = needs;
-    const made = this.#general;
+    const made = this.#made;
     if (made?.declared === declared && made.capacity === capacity && made.linear === linear) {
-      return made.variant;
+      return made.drawn;
     }
     const { terms, integerShininess } = this.#terms;
     for (const term of terms) {
@@ -81,10 +84,10 @@ export class MaterialPrograms {
     }
     const style = { ...this.#style, terms: [...this.#everTerms] };
     const material = { look: this.#look, style, linear, mildShininess: this.#mildShininess };
-    const variant = generalVariant(material, declared, capacity);
-    this.#general = { variant, declared, capacity, linear };
-    const key = `${variant.key} ${terms.join()} ${String(integerShininess)}`;
-    this.#drawn = { key, general: variant, terms: this.#terms, last: null };
-    return variant;
+    const general = generalVariant(material, declared, capacity);
+    const key = `${general.key} ${terms.join()} ${String(integerShininess)}`;
+    const drawn = { key, general, terms: this.#terms, last: null };
+    this.#made = { drawn, declared, capacity, linear };
+    return drawn;
   }
 }
