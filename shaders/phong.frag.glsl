@@ -1,7 +1,7 @@
 // The colour of a fragment: the sum over the lights times the material, as an 8-bit code.
 
 uniform float uOpacity;
-uniform float uMapBias; // maps are sampled so many levels coarser
+uniform float uMapBias; // levels by which maps are sampled coarser
 #ifdef HAS_MAP
 uniform sampler2D uMap;
 in vec2 vMapUv;

@@ -16,7 +16,7 @@ export async function inTasks<Result>(steps: Steps<Result>, signal?: AbortSignal
   }
 }
 
-/** Runs for so many milliseconds, at least one step. Returns the last step. */
+/** Runs steps until the time is over, one at least. Returns the last one. */
 export function runFor<Result>(
   milliseconds: number,
   steps: Steps<Result>,

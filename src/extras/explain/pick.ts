@@ -78,7 +78,7 @@ export function* pick<Owner>(
   const pixel: PixelSlopes = [(2 * tan * aspect) / width, (-2 * tan) / height];
   let nearest: SeenHit<Owner> | null = null;
   let depth = Infinity;
-  // Of what a mask cuts out here, and may not cut out in the picture.
+  // Depth of the nearest surface that a mask cuts out here, though perhaps not in the picture.
   let cutOut = Infinity;
   for (const drawn of snapshot.objects) {
     if (drawn.phong === null) {
@@ -144,7 +144,7 @@ export function* distanceAlong(
   return nearest;
 }
 
-/** Of all surfaces, drawn or not, the point that is nearest to another; null if none is near. */
+/** The point of any surface, drawn or not, that is nearest to another; null if none is near. */
 export function* pickNear<Owner>(
   { frame, objects }: SceneSnapshot<Owner>,
   point: Vec3,

@@ -63,13 +63,13 @@ export type RaySearch<Answer> = Generator<undefined, Answer, undefined>;
 const STEP = 2 ** 14;
 
 /**
- * A hit counts as so many triangles more, and as so many again if it is read: a miss takes 60 ns, a
- * hit 160, and reading one 250, or more with a texture.
+ * A hit counts as {@link HIT} more triangles, and as {@link READ} more if it is read: a miss takes
+ * 60 ns, a hit 160, and reading one 250, or more with a texture.
  */
 const HIT = 2;
 const READ = 16;
 
-/** The same of a triangle that is near the place that was searched from. */
+/** A triangle near the point that {@link searchNear} starts from counts as this many more. */
 const NEAR = 4;
 
 /** The numbers of a hit: first corner, vertices, weights, depth, front, and nine of its corners. */
@@ -338,7 +338,7 @@ function nearestWeights(a: Vec3, b: Vec3, c: Vec3): Vec3 {
   return sides[distances.indexOf(Math.min(...distances))]!;
 }
 
-/** Of the way from one point to another, where the origin is nearest. */
+/** Share of the way between two points at which it is nearest to the origin. */
 function shareAlong(from: Vec3, to: Vec3): number {
   const way = subtract(to, from);
   return clamp(-dot(from, way) / dot(way, way), 0, 1);

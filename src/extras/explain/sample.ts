@@ -70,7 +70,7 @@ export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Triang
   return sampleTexture(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
 }
 
-/** The same of colours in linear light. */
+/** As {@link sampleAt}, in linear light. */
 export function decodedAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
   const place = coordinatesAt(texture, geometry, hit);
   const isDecoded = isDecodable(texture);
@@ -98,7 +98,7 @@ export type PixelSlopes = readonly [across: number, down: number];
 
 /**
  * Texels in a pixel from which on several of them are averaged; more than 1 by the rounding of a
- * texture that is drawn at its own size. A level that is so much too coarse is 0.2 codes off
+ * texture that is drawn at its own size. A level that is too coarse by this much is 0.2 codes off
  * between black and white.
  */
 const MOST_TEXELS = 1.001;
@@ -109,7 +109,7 @@ const MOST_TEXELS = 1.001;
  */
 const MOST_ESTIMATED = 0.99;
 
-/** Of the filters, with mipmaps or without. */
+/** Whether a filter takes the nearest texel, with mipmaps or without. */
 const isNearest = (filter: number): boolean =>
   filter === NearestFilter ||
   filter === NearestMipmapNearestFilter ||

@@ -31,7 +31,7 @@ export async function shadeAt(
   return explained(scene === null ? null : await inTasks(pick(scene, column, row)), lights);
 }
 
-/** The same of a point in world space. */
+/** Explains the surface at a point in world space. */
 export async function explain(
   { scene, lights }: ViewerSnapshot,
   point: unknown,

@@ -74,7 +74,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     const reader = response.body?.getReader();
     try {
       claim(total);
-      // Of the announced length: joining chunks takes as much memory again, and 140 ms for 200 MB.
+      // As long as announced: joining chunks takes as much memory again, and 140 ms for 200 MB.
       const whole = new Uint8Array(expected);
       const chunks: Uint8Array[] = [];
       let size = 0;

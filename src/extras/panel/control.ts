@@ -34,14 +34,14 @@ const ROWS = {
   'phong-mesh': MESH_ROWS,
 } as unknown as Readonly<Record<string, Rows<Editable>>>;
 
-/** Of a control on a line of its own; one in a line of text goes on as the text does. */
+/** Styles a control on a line of its own; one in a line of text flows as the text does. */
 const LINE = `:host { display: block; writing-mode: horizontal-tb } ${ExtraElement.block}`;
 
 class Control extends ExtraElement<ControlValues> {
   /** What is edited; empty while it is waited for. */
   #targets: readonly Editable[] | null = null;
   #texts: ViewerTexts | null = null;
-  /** Those of the viewer when the row was built. */
+  /** The texts of the viewer when the row was built. */
   #viewerTexts: Pick<PhongViewer, 'texts'> | null = null;
   #gui: GUI | null = null;
   #stops: (() => void)[] = [];

@@ -113,7 +113,7 @@ export async function snapshot(
         type: 'image/png',
       });
       const bytes = new Uint8Array(await blob.arrayBuffer());
-      // In parts: a call takes only so many arguments.
+      // In parts: the number of arguments of a call is limited.
       let text = '';
       for (let i = 0; i < bytes.length; i += 4096) {
         text += String.fromCharCode(...bytes.subarray(i, i + 4096));

@@ -1,7 +1,7 @@
 // Chunks of PNG files, and the markup of a scene in one of them: an `iTXt` chunk after the header.
 // Runs in Node too.
 
-/** Of the chunk that holds a scene's markup. */
+/** Names the chunk that holds a scene's markup. */
 export const MARKUP_KEYWORD = 'phong-viewer';
 
 /** Characters of markup in a file, as the playground's limit: 1,000 elements have about 100,000. */

@@ -1,6 +1,6 @@
-// Judges an answer: right, right but too coarse, or wrong by a mistake that gives this number and no
-// other. A diagnosis is given only where the digits typed tell its value from 0, from the right one
-// and from those of all other mistakes.
+// Judges an answer: right, right but too coarse, or wrong by a mistake that gives this number and
+// no other. A diagnosis is given only where the digits typed tell its value from 0, from the right
+// one and from those of all other mistakes.
 import {
   type AnswerDetail,
   phrase,
@@ -66,7 +66,7 @@ export function questionOf(equation: Equation, channel: number): Question {
   };
 }
 
-/** Of the sum: what is left out, and nothing beyond that. */
+/** The question for the sum. Only left-out lines are known as mistakes. */
 export function sumQuestion(
   equation: Equation,
   lines: readonly Equation[],
@@ -114,13 +114,16 @@ function wrongsOf(at: TermAt, channel: number): Wrong[] {
       { lambert: ({ NoL }) => -NoL },
     ]),
   ];
-  // Steps and explanation are two ways to the same number. Where they part, as between the corners of
-  // a triangle, no mistake can be told.
+  // Steps and explanation are two ways to the same number. Where they part, as between the corners
+  // of a triangle, no mistake can be told.
   const isSame = Math.abs(right - share[term][channel]!) <= 1e-6 * Math.abs(right) + 1e-12;
   return isSame ? all.filter(({ value }) => Number.isFinite(value)) : [];
 }
 
-/** The same light and point for the steps of the equation. Angles and lengths are those of the scene. */
+/**
+ * The same light and point for the steps of the equation. Angles and lengths are those of the
+ * scene.
+ */
 function givenAt({ fragment, share, light, linear, halfway, term }: TermAt): Given {
   const { p, N, V } = fragment;
   const { L, d, c } = share;
@@ -198,7 +201,7 @@ export type Verdict = Pick<AnswerDetail, 'value' | 'correct' | 'mistake'> & {
 
 interface Typed {
   readonly value: number;
-  /** Of its last digit; 0 for a fraction, which is exact. */
+  /** The value of its last digit; 0 for a fraction, which is exact. */
   readonly unit: number;
 }
 
@@ -228,7 +231,9 @@ export function typedNumber(text: string): Typed | null {
   return { value, unit };
 }
 
-/** 0 to 9 of a decimal digit. The digits of a script follow each other in Unicode, from its 0 on. */
+/**
+ * 0 to 9 of a decimal digit. The digits of a script follow each other in Unicode, from its 0 on.
+ */
 function digitOf(digit: string): string {
   const code = digit.codePointAt(0)!;
   let value = 0;

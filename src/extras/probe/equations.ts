@@ -69,7 +69,7 @@ interface Fact {
 export interface Factor {
   readonly symbol: string;
   readonly value: Vec3;
-  /** Of what is shown as a power. */
+  /** The exponent, where a power is shown. */
   readonly exponent?: number;
   /** A negative number is shown as max(…, 0). */
   readonly clamped?: boolean;
@@ -269,8 +269,8 @@ const resultDigits = (value: Vec3): number =>
   );
 
 /**
- * The least digits whose numbers give the result, up to {@link MOST}. `computed`: what a reader gets
- * with so many.
+ * The least digits whose numbers give the result, up to {@link MOST}. `computed`: what a reader
+ * gets with that many.
  */
 function fitted(
   value: Vec3,

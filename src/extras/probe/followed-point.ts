@@ -69,8 +69,8 @@ export class FollowedPoint {
   #again = false;
 
   /**
-   * `changed` is called after each explanation, with the error that it ended in. Of several rings in
-   * a picture, that of the `element` under the mouse or with the focus is the strong one.
+   * `changed` is called after each explanation, with the error that it ended in. Of several rings
+   * in a picture, that of the `element` under the mouse or with the focus is the strong one.
    */
   constructor(
     element: HTMLElement,
@@ -259,7 +259,9 @@ export class FollowedPoint {
     return fragment;
   }
 
-  /** At the point, or at its pixel where no surface is close to it; else in the picture's middle. */
+  /**
+   * At the point, or at its pixel where no surface is close to it; else in the picture's middle.
+   */
   async #at(point: Vec3 | null): Promise<FragmentExplanation | null> {
     const viewer = this.#viewer;
     const near = point === null ? null : await viewer.explain([...point]);
@@ -288,7 +290,7 @@ export class FollowedPoint {
     return zoomOf(this.#ring.parentElement!);
   }
 
-  /** Of the layer over the picture, CSS pixels. */
+  /** The size of the layer over the picture, in CSS pixels. */
   get #size(): { readonly width: number; readonly height: number } {
     const { offsetWidth, offsetHeight } = this.#ring.parentElement!;
     return { width: Math.max(offsetWidth, 1), height: Math.max(offsetHeight, 1) };

@@ -33,7 +33,7 @@ import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
 import { askedOf, formOf, isAsked, PROBE_FIELDS, type ProbeValues } from './probe-fields.js';
 
-/** From so many em on a table has room for decimals, so that its rows add up. */
+/** Width in em from which a table has room for decimals, so that its rows add up. */
 const WIDE = 48;
 
 const SEPARATOR = '; ';

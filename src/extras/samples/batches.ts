@@ -20,8 +20,8 @@ const LOOK_MS = 1;
 const LATE_LOOK_MS = 4;
 
 /**
- * A sample that takes longer makes the rest minutes, in which a software renderer draws nothing else
- * of the browser: 20,000 triangles in one place take 11 s at 400 × 300 on two cores.
+ * A sample that takes longer makes the rest minutes, in which a software renderer draws nothing
+ * else of the browser: 20,000 triangles in one place take 11 s at 400 × 300 on two cores.
  */
 const SLOWEST_MS = 3000;
 
@@ -160,8 +160,8 @@ function inNextTask(work: () => void): void {
 }
 
 /**
- * Adds a batch of a picture of this size to `sum`, which is that of `tile` and gets so many
- * `samples`.
+ * Adds a batch of a picture of this size to `sum`, the one of `tile`, which gets `samples` samples
+ * in all.
  */
 export function sendBatch(
   batches: Batches,

@@ -15,7 +15,7 @@ import { type Region, type Size, SAFE_SIDE, tilesOf } from '../../phong/math/reg
  */
 const STILL_FRAMES = 3;
 
-/** A change is no part of a drag after all samples, or so long after the last standstill began. */
+/** A change belongs to no drag after all samples, or this long after the last standstill began. */
 const LONE_MS = 200;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
@@ -25,7 +25,8 @@ const FIRST_SHOWN = 16;
 const WAITS_AFTER = 8;
 
 /**
- * A mean is shown again once it has so many times the samples: each time costs a copy to the page.
+ * A mean is shown again once its samples have multiplied by this: each time costs a copy to the
+ * page.
  */
 const SHOWN_AGAIN = 4;
 

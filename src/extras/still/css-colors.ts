@@ -51,7 +51,7 @@ const WHOLE: Readonly<Record<string, number>> = {
   '%': 100,
 };
 
-/** Of a function's words, one by one: turns, or a number from 0 to 1; NaN for neither. */
+/** A word of a colour function as turns, or as a number from 0 to 1; NaN for neither. */
 function numberOf(word: string, i: number, name: string): number {
   const [, number, unit = ''] =
     /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|none)(%|deg|grad|rad|turn|)$/.exec(word) ?? [];

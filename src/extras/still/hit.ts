@@ -9,11 +9,11 @@ export class Hit {
   normal: Vec3 = [0, 0, 0];
   /** Seen from the front. */
   front = true;
-  /** Of all triangles and true shapes, in the scene's order. */
+  /** Index among all triangles and true shapes, in the scene's order. */
   thing = -1;
   /** Index of the object in its scene. */
   object = -1;
-  /** Of the object's triangles; -1 on a true shape. */
+  /** Index among the object's triangles; -1 on a true shape. */
   triangle = -1;
   /** Shares of a triangle's corners; they add up to 1. */
   a = 0;

@@ -132,7 +132,7 @@ export class LightSums {
 
 const squared = (x: number, y: number, z: number): number => x * x + y * y + z * z;
 
-/** Of a light whose axis and direction are no zero vectors. */
+/** Axis and direction of the light must not be zero vectors. */
 function isInside({ axis, cosine, aperture }: Prepared, x: number, y: number, z: number): boolean {
   const ax = axis[0];
   const ay = axis[1];

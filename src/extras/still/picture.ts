@@ -7,10 +7,10 @@
 // enters between two of the points, half a pixel apart, and leaves again cuts off 0.01 / r of the
 // pixel, r being its radius in pixels. Not where highlights may be that narrow.
 //
-// All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places where
-// the screen takes that many: its picture differs by rounding where it draws the same surface. Where
-// an edge passes, 256 samples have an RMS error of 0.005 of its codes (`phong/math/pixel-offsets.ts`).
-// `tests/extras/still/caster.test.ts` measures it.
+// All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places
+// where the screen takes that many: its picture differs by rounding where it draws the same
+// surface. Where an edge passes, 256 samples have an RMS error of 0.005 of its codes
+// (`phong/math/pixel-offsets.ts`). `tests/extras/still/caster.test.ts` measures it.
 import { centredOffset } from '../../phong/math/pixel-offsets.js';
 import type { CastOptions } from './cast-scene.js';
 import { NOTHING, type Sample, type Tracer } from './tracer.js';
@@ -21,7 +21,7 @@ const COUNTS = [16, 64, 256, 1024];
 /** The fewest where something may be small and alone, or an edge. */
 const CAREFUL = 64;
 
-/** Whether so many samples are enough for colours that differ by so many codes. */
+/** Whether `count` samples are enough for colours that differ by `range` codes. */
 const isEnough = (count: number, range: number, isSmooth: boolean): boolean =>
   isSmooth ? count >= 7.2 * range : 2 * count * Math.sqrt(count) >= range * range;
 
@@ -147,8 +147,8 @@ const high = new Float64Array(4);
 const scratch: Sample = { color: [0, 0, 0, 0], piece: 0 };
 
 /**
- * Writes the mean, the lowest and the highest values of so many samples. Whether all are of the same
- * piece.
+ * Writes the mean, the lowest and the highest values of the samples. Returns whether all are of the
+ * same piece.
  */
 function meanOf(
   tracer: Tracer,

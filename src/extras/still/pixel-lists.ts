@@ -17,8 +17,8 @@ const MOST_ENTRIES = 2 ** 26;
 const ALWAYS_DEEP = 16;
 
 /**
- * Most entries of a pixel's list on average: at an edge each of up to 336 rays asks all of them. 2,000
- * boxes in one place, 40 × 30 pixels, take 25 s of a busy core.
+ * Most entries of a pixel's list on average: at an edge each of up to 336 rays asks all of them.
+ * 2,000 boxes in one place, 40 × 30 pixels, take 25 s of a busy core.
  */
 const MOST_DEEP = 4096;
 
@@ -72,13 +72,15 @@ export class PixelLists {
     return true;
   }
 
-  /** Makes the lists; after the last thing. @throws RangeError if too many are one before the other. */
+  /**
+   * Makes the lists; after the last thing. @throws RangeError if too many are one before the other.
+   */
   sort(): void {
     const { nears, starts } = this;
     const { width, height } = this.#screen;
     const boxes = this.#boxes;
     const order = Int32Array.from({ length: this.count }, (_, i) => i);
-    // Of those that coincide the last one shows: it comes first.
+    // Where several coincide, the last one shows: it comes first.
     order.sort((i, j) => nears[i]! - nears[j]! || j - i);
     const entries = order.reduce(
       (sum, i) =>

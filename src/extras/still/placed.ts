@@ -48,7 +48,7 @@ export function placed(
   return shape.kind === 'triangles' ? placedTriangles(shape, fromEye) : placedTrue(shape, fromEye);
 }
 
-/** Of a triangle, as seen from the eye. */
+/** A triangle's corners relative to the eye. */
 export function cornersOf({ places, index }: PlacedTriangles, triangle: number): readonly Vec3[] {
   const corner = (i: number): Vec3 => vectorAt(places, 3 * (index === undefined ? i : index[i]!));
   return [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];

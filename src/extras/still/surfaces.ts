@@ -24,7 +24,7 @@ export class ObjectSurface {
   readonly #base: Vec3;
   readonly #emissive: Vec3;
   readonly #shape: TrianglesShape | null;
-  /** Of vertices, as they are interpolated: under `linear` in linear light. */
+  /** The vertices' colours as they are interpolated: under `linear` in linear light. */
   readonly #colors: ArrayLike<number> | undefined;
   readonly #linear: boolean;
   readonly #decode: Decode;
@@ -186,5 +186,5 @@ const RGB = [0, 1, 2] as const;
 const WHITE: Vec3 = [1, 1, 1];
 const BLACK: Vec3 = [0, 0, 0];
 const NO_UV: readonly number[] = [];
-/** Of the last {@link readTexture}. */
+/** Overwritten by each call of {@link readTexture}. */
 const texel = new Float64Array(4);

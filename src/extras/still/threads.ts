@@ -34,7 +34,7 @@ export function castHere(scene: CastScene, options: CastOptions): Float64Array {
   return means;
 }
 
-/** All rows, by so many threads. Node only. @param code the module of `worker.ts`. */
+/** All rows, on several threads. Node only. @param code the module of `worker.ts`. */
 export async function castOnThreads(
   scene: CastScene,
   options: CastOptions,

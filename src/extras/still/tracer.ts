@@ -186,7 +186,7 @@ export class Tracer {
         next.c = c / sum;
       }
       if (!(next.t <= most) || this.#accepts[next.object]?.(next) === false) continue;
-      // Of two that coincide the last one shows.
+      // Where two coincide, the last one shows.
       if (next.t === most && thing < hit.thing) continue;
       most = next.t;
       this.#hit = next;
@@ -310,5 +310,5 @@ export class Tracer {
 /** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
 const STRIDE = 10;
 
-/** Of one hit. */
+/** Scratch for one hit. */
 const mixed = new Float64Array(9);

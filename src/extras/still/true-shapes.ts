@@ -6,7 +6,7 @@ import type { TrueShape } from './cast-scene.js';
 
 const RADIUS = 0.5;
 const HALF_HEIGHT = 0.5;
-/** Of the torus: the circle in its tube's middle, and the tube. */
+/** Radii of the torus: of the circle in its tube's middle, and of the tube. */
 const RING = 0.35;
 const TUBE = 0.15;
 

@@ -25,11 +25,11 @@ type Box = readonly [
 
 export interface GeometrySize {
   readonly box: Box;
-  /** Of the box. */
+  /** The center of the box. */
   readonly center: Vec3;
   /** Reaches the vertex farthest from `center`. */
   readonly radius: number;
-  /** Only those that are numbers: turned meshes are measured by all of them. */
+  /** All that are finite: turned meshes are measured by them. */
   readonly vertices: () => Vertices;
 }
 

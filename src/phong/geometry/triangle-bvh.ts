@@ -113,7 +113,7 @@ export function* bvhInSteps(geometry: BufferGeometry): Generator<undefined, Bvh,
   return bvh;
 }
 
-/** Of the corners `from` to `to` (excluded). */
+/** Writes the boxes of the runs from corner `from` to `to` (excluded). */
 function writeBoxesOfRuns(
   boxes: BoxList,
   position: Position,

@@ -10,8 +10,8 @@ export const LIMIT_OPEN = 4;
 
 /**
  * Largest shininess that log2 and the lobe's cosine are precise enough for: an eighth of a code on
- * the worst lawful driver. log2 near 1 may be 2^-21 off, of which an exponent of 150 makes 5e-5, or
- * 0.013 of a code; the lengths of N, L and V make four times as much.
+ * the worst lawful driver. log2 near 1 may be 2^-21 off, which an exponent of 150 turns into 5e-5,
+ * or 0.013 of a code; the lengths of N, L and V make four times as much.
  */
 export const LARGEST_MILD_POWER = 150;
 

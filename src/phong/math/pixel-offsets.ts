@@ -43,10 +43,10 @@ export function centredOffset(
   return { x: x - mean.x, y: y - mean.y };
 }
 
-/** Of the last number of samples that was asked for. */
+/** The mean offset of the last number of samples that was asked for. */
 let mean = { count: 0, x: 0, y: 0 };
 
-/** Of 400 pairs tried, the one with the least error with 8, 16 and 64 samples. */
+/** The pair with the least error at 8, 16 and 64 samples, out of 400. */
 const SCRAMBLE_X = 0x95188cc5;
 const SCRAMBLE_Y = 0xf12f9adc;
 

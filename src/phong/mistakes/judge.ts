@@ -21,7 +21,7 @@ export const STEP = 1 / 255;
 /** Points of a hundred that may differ. */
 const STRAY = 0.01;
 
-/** Of the points at which a function is wrong, a mistake that explains it has to meet so many. */
+/** Share of the wrong points that a mistake has to explain. */
 const EXPLAINED = 0.97;
 
 /** Below it colours are equal: a hundredth of what a function that divides by 255² gives. */
@@ -59,7 +59,7 @@ export const colorAt = (colors: Colors, i: number): Vec3 => [
 export const isWithinStep = (found: Vec3, exact: Vec3): boolean =>
   exact.every((x, k) => Math.abs(found[k]! - x) <= STEP * Math.max(1, Math.abs(x)));
 
-/** The same of small colours in proportion: black is not a colour divided by 255. */
+/** Small colours are compared in proportion: black is not a colour divided by 255. */
 function isSame(found: Vec3, expected: Vec3): boolean {
   const size = Math.max(...expected.map(Math.abs));
   if (size > LARGEST) return !found.every((x) => Math.abs(x) < LARGEST);
@@ -119,7 +119,7 @@ export interface Judged {
   readonly wrong: readonly number[];
   /** How many cases are judged. */
   readonly count: number;
-  /** Of the sheet, whose points are far from where any form jumps. */
+  /** The points are those of the sheet, far from where any form jumps. */
   readonly isSheet: boolean;
 }
 

@@ -1,5 +1,5 @@
-// The sheet of test scenes: one lamp each, and points of which each sees the lamp, the surface and
-// the eye in another way. Together they make every usual mistake visible. The same in each run, and
+// The sheet of test scenes: each has one lamp, and each point sees the lamp, the surface and the
+// eye in another way. Together they make every usual mistake visible. The same in each run, and
 // with three decimals, so that others can read it as numbers.
 import type { LightKind, Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';

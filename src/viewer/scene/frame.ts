@@ -15,9 +15,9 @@ export class Frame {
   /** Device pixels of the whole picture. */
   width = 0;
   height = 0;
-  /** So many drawings are averaged. 1: the plain picture. */
+  /** Number of drawings that are averaged. 1: the plain picture. */
   samples = 1;
-  /** Of the pixels a side, that are drawn. */
+  /** Share of the pixels a side that is drawn. */
   share = 1;
   /** The version of what is in it, lights aside. */
   #version = -1;

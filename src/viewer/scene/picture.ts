@@ -43,7 +43,7 @@ const specialCode = /* @__PURE__ */ fasterCode(
   ),
 );
 
-/** So many frames are motion. Fewer are a picture that gets its files, its size and its shapes. */
+/** From this many frames on it moves. Before, it only gets its files, its size and its shapes. */
 const MOTION = 10;
 
 export class Picture {

@@ -120,8 +120,8 @@ export class StillPicture {
   }
 
   /**
-   * The mean of so many samples at this size; plain without float targets. RangeError if no canvas
-   * can hold it.
+   * The mean of `samples` samples at this size; plain without float targets. RangeError if no
+   * canvas can hold it.
    */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
     const { captureSamples } = await samplingCode();

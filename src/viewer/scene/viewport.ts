@@ -13,8 +13,8 @@ import { StillPicture } from './still-picture.js';
 const NONE = -1; // no version of a picture
 
 /**
- * A picture with fewer pixels gets all of them so long after its last change, and so many animation
- * frames: a slow drag has frames in which nothing moves, and slow frames are rare.
+ * A picture with fewer pixels gets all of them after this time and this many animation frames
+ * without a change: a slow drag has frames in which nothing moves, and slow frames are rare.
  */
 const STILL_MS = 200;
 const STILL_FRAMES = 3;
@@ -72,7 +72,7 @@ export class Viewport {
   visible = false;
   /** In view, or close enough to be drawn; undefined until the layout has been read. */
   #near: boolean | undefined = undefined;
-  /** That of the window in which the picture is attached. */
+  /** The frame loop of the window in which the picture is attached. */
   #loop: FrameLoop | null = null;
   /** The picture's version that the canvas shows, or whose drawing has thrown. */
   #painted = NONE;
@@ -80,7 +80,7 @@ export class Viewport {
   #reported = NONE;
   /** Something moves by itself, as of the last animation frame. */
   #moving = false;
-  /** Of the pixels a side, while something moves: see {@link pace}. */
+  /** Share of the pixels a side, while something moves: see {@link pace}. */
   #share = 1;
   /** It always has all pixels. Default false. */
   isWhole = false;

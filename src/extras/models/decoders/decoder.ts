@@ -81,7 +81,7 @@ export async function startWasm<Decoder>(
   create: (options: WasmOptions) => Promise<Decoder>,
   source: string | ArrayBuffer,
 ): Promise<Decoder> {
-  // Throws where a policy refuses WebAssembly, before the file is fetched in vain.
+  // Throws where a policy refuses WebAssembly: then the file is not fetched.
   new WebAssembly.Module(EMPTY_MODULE);
   const wasm = typeof source === 'string' ? await bytesAt(source) : source;
   const silent = (): void => undefined;

@@ -140,7 +140,7 @@ function readStatement(
   }
 }
 
-/** Of numbers: a name may contain `#`. */
+/** For numbers only: a name may contain `#`. */
 const withoutComment = (numbers: string): string => numbers.replace(/#.*/, '').trim();
 
 /** Statements that change the picture in other programs, by their lower-case keywords. */

@@ -62,7 +62,7 @@ async function readBinary(
   requireAtMost(3 * count, LIMITS.corners, 'triangle corners');
   const header = headerColor(view);
   const places = new Positions(3 * count);
-  /** Of the triangles that are kept. */
+  /** The colour bits of the triangles that are kept. */
   const bits = new Uint16Array(count);
   const coordinate = (at: number): number => view.getFloat32(at, true);
   let colored = false;

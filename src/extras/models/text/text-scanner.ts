@@ -265,7 +265,7 @@ export class TextScanner {
     );
   }
 
-  /** The same of the text from `start` to the next byte. */
+  /** The readings of the text from `start` to the next byte. */
   readingsFrom(start: number, most: number): readonly string[] {
     const end = Math.min(this.at, start + most);
     return most === 0 ? [] : nameReadings(this.#bytes.subarray(start, end), end < this.at);

@@ -199,7 +199,7 @@ const MOST_FRACTION = 2;
 export const WIDE = 65535;
 
 /**
- * Full intensity of channels of which this is the largest: a float above 2 counts to 255, and so do
+ * Full intensity of channels whose largest is `most`: a float above 2 counts to 255, and so do
  * `wide` ones, which were divided by {@link WIDE}, where none is above 255.
  */
 export function fullOf(most: number, wide = false): number {

@@ -1,7 +1,7 @@
 // What can be drawn over a picture: a list of strokes, discs and labels in CSS pixels, which SVG
 // shows on the page and a canvas in a file. Their colours can be seen on any picture: a light core
-// with a black outline, of which one always has a contrast of 3:1 with what lies behind (WCAG 2.2,
-// success criterion 1.4.11). Channels from 0 to 1.
+// with a black outline. One of the two always has a contrast of 3:1 with what lies behind (WCAG
+// 2.2, success criterion 1.4.11). Channels from 0 to 1.
 import { srgbDecode } from '../../../phong/math/color.js';
 import { dot, map, type Vec3 } from '../../../phong/math/vector.js';
 import type { Point } from './projection.js';

@@ -128,7 +128,7 @@ class Helpers implements Extra {
   }
 }
 
-/** Of a scene that shows nothing: as its camera assumes. */
+/** An empty scene has the ball that its camera assumes. */
 function ballOf({ viewport }: ExtraHost): SceneBall {
   const { center = [0, 0, 0], radius = 0 } = viewport.picture.measure() ?? {};
   return { center, radius: radius || 1 };

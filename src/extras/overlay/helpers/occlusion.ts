@@ -14,7 +14,7 @@ import type { Projection } from '../drawing/projection.js';
  */
 const PAUSE = 100;
 
-/** While changes go on, a series takes at most one part of so many of the time. */
+/** While changes go on, a series takes at most 1 / PARTS of the time. */
 const PARTS = 25;
 
 /** Milliseconds of rays in one task. */

@@ -111,7 +111,7 @@ function colorOf({ light }: SumRow): Vec3 {
 }
 
 /**
- * From one unit vector to another, at a distance from their common foot. Of opposite ones: a
+ * From one unit vector to another, at a distance from their common foot. Opposite vectors give a
  * straight line.
  */
 function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
@@ -169,7 +169,7 @@ export interface Surroundings {
   readonly outline: readonly Vec3[];
   /** Labels stay inside. */
   readonly room: Rect;
-  /** Of the probe's box, and of the names of lights and axes. */
+  /** Boxes to keep clear of: the probe's, and those of the names of lights and axes. */
   readonly boxes: readonly Rect[];
   readonly fontSize: number;
 }

@@ -18,9 +18,9 @@ import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
 import { zoomOf } from '../../../phong/camera/gesture.js';
 
 /**
- * Another surface hides a pinned point if it is nearer to the eye by more than so many pixels are
- * wide there. Nearer by less, it is the same surface at the centre of the pixel, at most 0.71
- * pixels away: it can lean by 80 degrees.
+ * Another surface hides a pinned point if it is nearer to the eye by more than the width of this
+ * many pixels there. Nearer by less, it is the same surface at the centre of the pixel, at most
+ * 0.71 pixels away: it can lean by 80 degrees.
  */
 const IN_FRONT = 4;
 

@@ -26,7 +26,7 @@ export interface PageViewer {
   readonly markup: string;
   /** Null unless the page says it in pixels. */
   readonly size: Size | null;
-  /** The same of the image in its slot. */
+  /** The size of the image in its slot. */
   readonly posterSize: Size | null;
   /** What its style says; null for nothing. */
   readonly background: string | null;
@@ -158,14 +158,14 @@ function isInComparison({ parentNode }: Element): boolean {
   return around !== null && 'tagName' in around;
 }
 
-/** Of a style sheet: what a selector without spaces and colons declares. */
+/** A rule of a style sheet whose selector has no spaces and colons. */
 interface Rule {
   /** A tag, `#id`s and `.class`es. */
   readonly parts: readonly string[];
   readonly declarations: string;
 }
 
-/** Those of a `<style>`; not what `@media` and the like hold. */
+/** The rules of a `<style>`, without those inside `@media` and the like. */
 function rulesIn({ tagName, childNodes }: Element): Rule[] {
   if (tagName !== 'style') return [];
   const css = childNodes
@@ -199,7 +199,7 @@ function styleOf(element: Element, rules: readonly Rule[]): string {
     .join(';');
 }
 
-/** Of its style, else of its attributes. */
+/** From its style, else from its attributes. */
 function sizeOf(element: Element, style: string): Size | null {
   const width = pixels(declared(style, 'width')) ?? whole(attribute(element, 'width'));
   const [, across, down = '1'] =

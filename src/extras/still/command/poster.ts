@@ -1,5 +1,5 @@
-// A poster's file: what it was drawn from stands in it, so that it is drawn again only when that has
-// changed.
+// A poster's file: what it was drawn from stands in it, so that it is drawn again only when that
+// has changed.
 import { createHash } from 'node:crypto';
 import { readFileSync, statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -17,11 +17,11 @@ export interface PosterSource {
   readonly background: readonly [number, number, number] | null;
   /** What addresses are relative to. */
   readonly base: URL;
-  /** Of this package. */
+  /** This package's version. */
   readonly version: string;
 }
 
-/** Of the chunk that says how the picture was made. */
+/** Names the chunk that says how the picture was made. */
 const KEYWORD = 'phong-viewer still';
 
 interface Stamp {

@@ -7,7 +7,7 @@ import { type Edit, edited, type Page, type PageViewer, readPage, type Size } fr
 import { drawPoster, isPoster, type PosterSource, staleness } from './poster.js';
 
 export interface Settings {
-  /** Of viewers that say none. */
+  /** For viewers without a size of their own. */
   readonly size: Size | null;
   readonly scale: number;
   readonly check: boolean;
@@ -159,7 +159,7 @@ function backgroundOf(
   try {
     color = isTranslucent ? null : cssColor(background);
   } catch {
-    // Of a kind that is not read here.
+    // A notation that is not read here.
   }
   if (color === null) {
     warn(

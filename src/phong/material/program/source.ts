@@ -87,7 +87,7 @@ const texts = new Map<string, Shaders>();
 
 /**
  * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights:
- * the other one leaves out the loop's text, which compilers would parse in vain. `surface` is a
+ * the other one leaves out the loop's text, which would only cost parsing. `surface` is a
  * text in place of surface_color, `grid` that of light_grid where the lights are in one.
  */
 export function shadersOf(

@@ -30,19 +30,19 @@ export interface DrawnMaterial {
   last: { readonly form: Form; readonly lights: string | number; readonly key: string } | null;
 }
 
-/** The picture that they are for. */
+/** What specialised programs read of their picture. */
 interface SpecialLighting {
   readonly meshLights: MeshLights;
   readonly needs: ProgramNeeds;
   readonly packing: LightPacking;
 }
 
-/** Those of one picture. */
+/** The specialised programs of one picture. */
 export class SpecialPrograms {
   readonly #lighting: SpecialLighting;
   readonly #cache: ProgramCache;
   readonly #gridOf = new WeakMap<Mesh, MeshLightGrid>();
-  /** Those that the last frame used. */
+  /** The grids that the last frame used. */
   readonly #grids = new Set<MeshLightGrid>();
   #frame = 0;
 

@@ -104,7 +104,7 @@ function indexRow(
   const step = to - from;
   for (let k = from; k < to; k++) {
     const c = corners[k]!;
-    // Of the row before, or of this one.
+    // The first vertex, of the row before or of this one.
     let vertex = first + (c & 1) - (c < 2 ? columns + 1 : 0);
     const end = vertex + columns;
     for (let at = corner + k - from; vertex < end; at += step) {

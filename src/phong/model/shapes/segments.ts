@@ -25,7 +25,8 @@ const REDUCED_TOLERANCE = 1;
 const PIXELS_PER_TRIANGLE = 16;
 
 /**
- * Most of the triangles that are never too many, for each pixel that a shape covers: a dot needs none.
+ * Most of the triangles that are never too many, for each pixel that a shape covers: a dot needs
+ * none.
  */
 const FREE_PER_PIXEL = 8;
 
@@ -53,8 +54,8 @@ export function hasNoLarge({ frame: { origin, eye } }: Frustum, bounds: Extent['
 }
 
 /**
- * Whether the eye is farther from the middle than twice the longest side, and so from the box than a
- * quarter of it. Most shapes of most frames are, which this finds in a third of the time.
+ * Whether the eye is farther from the middle than twice the longest side, and so from the box than
+ * a quarter of it. Most shapes of most frames are, which this finds in a third of the time.
  */
 function isFar({ frame: { origin, eye } }: Frustum, m: readonly number[]): boolean {
   const x = origin[0] + eye[0] - m[12]!;
@@ -92,7 +93,7 @@ export function cutFor(view: Frustum, name: CutName, m: readonly number[]): Cut 
   };
 }
 
-/** Of the longest side: coordinates within it are float32. */
+/** Share of the longest side: coordinates on it are float32. */
 const LEAST_UNIT = 2 ** -24;
 
 /** Overwritten by each call of {@link measureFrom}. */
@@ -101,7 +102,7 @@ const measured = {
   along: [0, 0, 0] as [number, number, number],
   length: [0, 0, 0] as [number, number, number],
   longest: 0,
-  /** Of the eye from the shape's box, on either side of its walls. */
+  /** Distance of the eye from the walls of the shape's box, on either side. */
   distance: 0,
 };
 
@@ -184,7 +185,7 @@ export function sampledSegments(
   return levelFor(Math.max(outline, round.smooth), name);
 }
 
-/** The step from a level of about so many segments to the next. */
+/** The step from a level of about this many segments to the next. */
 function stepAt(segments: number): number {
   let step = 8;
   while (8 * step < segments) {
@@ -194,9 +195,9 @@ function stepAt(segments: number): number {
 }
 
 /**
- * At least so many segments as a level: a multiple of 8, above 64 of an eighth of the next power of
- * two, so that at most a quarter is more than needed and a camera that comes near passes few
- * levels.
+ * The least level with at least `segments`: a multiple of 8, above 64 of an eighth of the next
+ * power of two, so that at most a quarter is more than needed and a camera that comes near passes
+ * few levels.
  */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
@@ -208,7 +209,7 @@ export function levelFor(segments: number, name: GeometryName): number {
 }
 
 /**
- * The finest level up to this one that has at most so many triangles; the coarsest one if none has.
+ * The finest level up to `level` with at most `triangles`; the coarsest one if none has so few.
  */
 export function within(triangles: number, level: number, name: GeometryName): number {
   const least = coarsestOf(name);

@@ -3,7 +3,7 @@
 import type mistakes from '../../../phong/mistakes/texts.json';
 import type own from './texts.json';
 
-/** Of each folder that has texts. The table of extras adds those of extras (`viewer/extras.ts`). */
+/** The texts of each folder that has some. The table of extras (`viewer/extras.ts`) adds theirs. */
 export interface TextTables {
   readonly viewer: typeof own;
   readonly mistakes: typeof mistakes;

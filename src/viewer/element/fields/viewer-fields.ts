@@ -212,7 +212,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
     kind: 'flag-or-words',
     expected: 'true or false; <phong-probe for="id" as="formula"> and as="ask" show more',
     check(value) {
-      // Of one word, or of a list of them.
+      // One word, or a list of one.
       return String(value) === 'probe' ? true : presenceField().check(value);
     },
   },

@@ -25,7 +25,7 @@ export interface Watcher {
 export class PageObservers {
   readonly view: PageWindow;
   readonly #watched = new Map<Element, Watcher>();
-  /** Of the view, and of its surroundings. */
+  /** One for the view, and one for its surroundings. */
   readonly #intersection: readonly IntersectionObserver[];
   readonly #resize: ResizeObserver;
   #listeners = new AbortController();

@@ -41,8 +41,8 @@ export const textsOver = (
 function combine(): void {
   texts = textsOver(assigned, declared);
   for (const user of users) {
-    // Lit updates for a changed value alone. This one never is the present one, nor undefined, which
-    // is what elements without texts of their own have.
+    // Lit updates only where the old value differs from the present one. `users` is no element's
+    // texts, not even those of an element without texts, which are undefined.
     user.requestUpdate('texts', users);
   }
 }

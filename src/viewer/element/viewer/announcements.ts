@@ -19,8 +19,9 @@ import {
 import type { ViewerTree } from './viewer-tree.js';
 
 /**
- * Milliseconds. After so long without a change the user has stopped, so announcements are at least
- * this far apart. Also the time between two updates of the description while the picture moves.
+ * Milliseconds. After this long without a change the user has stopped, so announcements are at
+ * least this far apart. Also the time between two updates of the description while the picture
+ * moves.
  */
 const PAUSE = 1000;
 

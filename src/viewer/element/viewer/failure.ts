@@ -105,7 +105,7 @@ export class ViewerFailure {
       : clipMessage(isOwn ? error.ownMessage : error.fact);
     if (error instanceof ModelError && shown !== message && !error.logged) {
       const advice = error.message.slice(error.fact.length);
-      // Of files, each; of shapes, which have no address, the advice alone counts.
+      // Each file is named once. Shapes have no address: for them the advice alone counts.
       const key = `${url?.href ?? ''}${advice}`;
       if (!this.#given.has(key)) {
         console.warn(message);

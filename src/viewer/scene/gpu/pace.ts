@@ -3,10 +3,10 @@
 // occasion to measure: the page's own work makes frames late too. Milliseconds.
 import type { WebGLRenderer } from 'three';
 
-/** Of the pixels a side. */
+/** Shares of the pixels a side. */
 const SHARES = [1, 2 / 3, 1 / 2, 1 / 3] as const;
 
-/** A frame that comes so long after the one before it is late. */
+/** Milliseconds after the frame before it from which a frame is late. */
 const LATE = 50;
 /**
  * Drawing that takes less is not why a frame is late. Less than {@link LATE}: the browser has to
@@ -15,18 +15,23 @@ const LATE = 50;
 const SLOW = 33;
 /** What drawing may take with fewer pixels. */
 const WANTED = 20;
-/** The share is raised if the frames of so long would still not have been late with the larger one. */
+/**
+ * Milliseconds: the share is raised if no frame of them would have been late with the larger one.
+ */
 const BEFORE_RAISING = 500;
 /** Frames farther apart are no motion. */
 const FAR = 10_000;
-/** Once drawing was measured as quick, it counts as quick for so long. */
+/** Milliseconds that drawing counts as quick after it was measured as quick. */
 const TRUSTED = 2000;
 /**
- * With fewer pixels drawing takes more than this share: vertices are why, and pixels come back. Those
- * of round shapes are fewer by then.
+ * If fewer pixels leave drawing more than this share of its time, vertices are the cause, and all
+ * pixels come back. Round shapes have fewer vertices by then.
  */
 const VAIN = 0.9;
-/** So long, as trying costs sharpness. In software a triangle takes 1.5 µs, whatever its pixels. */
+/**
+ * Milliseconds until fewer pixels are tried again: a try costs sharpness. In software a triangle
+ * takes 1.5 µs, whatever its pixels.
+ */
 const VAIN_FOR = 10_000;
 
 class Pace {
@@ -44,7 +49,7 @@ class Pace {
   #measured: WebGLRenderer | null = null;
   #largest = 0;
 
-  /** Of the pixels a side, for a picture that moves. */
+  /** Share of the pixels a side, for a picture that moves. */
   get share(): number {
     return SHARES[this.#step]!;
   }

@@ -225,8 +225,8 @@ class Stage {
     canvas.height = height;
     const context = canvas.getContext('2d');
     if (context !== null && hasMemory(context, width, height)) return context;
-    // When the GPU process crashes, 2D canvases fail before WebGL knows of it. Any GPU has memory
-    // for so many pixels.
+    // When the GPU process crashes, 2D canvases fail before WebGL notices. Any GPU has memory for
+    // this many pixels.
     if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }

@@ -25,7 +25,7 @@ export class MeshAnimation {
   #name: string | null;
   /** Since it began. */
   #seconds = 0;
-  /** Of the reach of an animation that has begun since the content came. */
+  /** Ends the measuring of the reach of an animation that has begun since the content came. */
   #measuring: AbortController | null = null;
 
   /** Goes on from {@link poseFirst}. */
@@ -130,7 +130,7 @@ const nameOf = ({ autoplay, animationName }: Values): string | null =>
  * allowed.
  */
 export class Animations {
-  /** Of the meshes whose content moves: a frame does not look at the others. */
+  /** The animations of meshes whose content moves. A frame does not visit other meshes. */
   readonly all = new Set<Pick<MeshAnimation, 'plays' | 'work' | 'advance'>>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;

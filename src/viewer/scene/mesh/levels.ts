@@ -24,10 +24,10 @@ import type { Frame } from '../frame.js';
 import { FIXED, type Level } from './shared-shapes.js';
 
 /**
- * So many triangles are never too many in a picture, as many as the teapot's fixed number. Without
- * them 24 % of the pixels of a torus 60 pixels wide would be within a code of the round one's, and
- * 31 % of a teapot in 400 × 400; with them it is 100 % and 91 %. Meshes share them, so a thousand
- * dots are not a thousand fine spheres.
+ * A picture may always have this many triangles, the fixed number of the teapot. Without them 24 %
+ * of the pixels of a torus 60 pixels wide would be within a code of the round one's, and 31 % of a
+ * teapot in 400 × 400; with them it is 100 % and 91 %. Meshes share them, so a thousand dots are
+ * not a thousand fine spheres.
  */
 const FREE_TRIANGLES = 16384;
 

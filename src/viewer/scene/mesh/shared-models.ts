@@ -119,7 +119,7 @@ class SharedModel {
     return movingCopy(content);
   }
 
-  /** Of the meshes of one viewer the first that waits claims for all: they share it. */
+  /** The meshes of a viewer share the content: the first one that waits claims for all. */
   readonly #claim = (claimed: Amounts): void => {
     this.#claimed = claimed;
     const asked = new Set<Budget>();

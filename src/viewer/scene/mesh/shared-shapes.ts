@@ -30,7 +30,7 @@ export interface ShapeKey {
   readonly cut?: Cut;
 }
 
-/** Of `auto`: a number of segments, the shape's own number by {@link FIXED}, or a cut. */
+/** What `auto` chooses: a number of segments, the shape's own number by {@link FIXED}, or a cut. */
 export type Level = number | Cut;
 
 /**
@@ -51,8 +51,8 @@ export const levelKey = (name: GeometryName, level: Level): ShapeKey =>
 export const FIXED = 0;
 
 /**
- * A level stays so long without users: the samples of a still picture use a finer one than the
- * frame before.
+ * Milliseconds that a level stays without users: the samples of a still picture use a finer one
+ * than the frame before.
  */
 const KEPT_MS = 1000;
 
