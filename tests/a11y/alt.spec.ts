@@ -3,6 +3,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import { nextFrame, type PhongViewer } from '../element/support/viewer.js';
+import { requestsOf } from '../support/requests.js';
 
 const WARNING =
   'warning: A <phong-viewer> has no alt. Write alt="…", the picture in words for people who do not see it, or alt="" if it is decoration.';
@@ -53,8 +54,7 @@ test('viewers that have a name, need none or are hidden are not reported', async
   page,
   mount,
 }) => {
-  const fetched: string[] = [];
-  page.on('request', (request) => fetched.push(request.url()));
+  const fetched = requestsOf(page);
   const element = await mount(
     [
       viewer('alt="A box"'),

@@ -17,6 +17,7 @@ import { white } from '../stress/fragments.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';
 import { mildPowerError } from './worst-driver.js';
+import { IDENTITY } from '../support/matrices.js';
 
 /** L of a light in front, and V anywhere, exactly opposite L and zero among them. */
 function lobeInputs(random: Random): readonly [number[], number[]] {
@@ -175,10 +176,9 @@ vec4 lightRow(int i) { return texelFetch(u_table, ivec2(i & 255, i >> 8), 0); }
 /** In world space, where shading space is the world's. */
 export function packedFor(lights: readonly LightValues[]): PackedLights {
   const packed = emptyPack();
-  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   packLights(
     lights,
-    { worldToShading: identity, cameraToShading: identity, linear: false },
+    { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false },
     packed,
   );
   return packed;

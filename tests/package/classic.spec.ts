@@ -9,6 +9,7 @@ import type { PhongViewer } from '../../src/viewer/index.js';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { field } from '../extras/panel/panel-rows.js';
 import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
+import { requestsOf } from '../support/requests.js';
 
 const fixtures = fileURLToPath(new URL('../fixtures', import.meta.url));
 const size = { width: 60, height: 40 };
@@ -53,10 +54,7 @@ test('a page opened from disk shows the picture, with the script before or after
 test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({
   page,
 }) => {
-  const requests: string[] = [];
-  page.on('request', (request) =>
-    requests.push(new URL(request.url()).pathname.split('/').at(-1)!),
-  );
+  const requests = requestsOf(page);
   const shapes = ['cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
   const meshes = shapes.map(
     (name, i) => `<phong-mesh geometry="${name}" position="${i} 0 0"></phong-mesh>`,
@@ -76,7 +74,10 @@ test('a page opened from disk has every shape, the panel, shadeAt and toBlob, wi
     globals: ['phongViewer', '__THREE__'].filter((name) => name in window),
   }));
   expect(found).toEqual({ drawn: 8, shares: 1, type: 'image/jpeg', globals: [] });
-  expect(requests).toEqual(['handout.html', 'phong-viewer.classic.js']);
+  expect(requests).toEqual([
+    expect.stringMatching(/handout\.html$/),
+    expect.stringMatching(/phong-viewer\.classic\.js$/),
+  ]);
 });
 
 test('a page opened from disk shows a model that it contains', async ({ page }) => {

@@ -4,6 +4,7 @@
 import { allReady, expect, test } from '../support/test.js';
 import { startSite, testMounts, wasmPolicy } from '../support/site.js';
 import { usages } from './requests.js';
+import { requestsOf } from '../support/requests.js';
 
 const head = usages.standalone.head ?? '';
 
@@ -58,8 +59,7 @@ for (const [where, markup] of [
   ],
 ] as const) {
   test(`a model that ${where} of the page names is requested once`, async ({ page }) => {
-    const asked: string[] = [];
-    page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+    const asked = requestsOf(page);
     await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
     await allReady(page);
     expect(asked.filter((path) => path.endsWith('.ply'))).toHaveLength(1);

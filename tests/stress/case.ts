@@ -3,7 +3,7 @@
 // float32, so reference and shader see the same.
 import { LIGHT_FIELDS, type LightValues } from '../../src/phong/light/light-state.js';
 import { emptyPack, packLights, type PackedLights } from '../../src/phong/light/pack-lights.js';
-import { add, type Mat4, type Vec3 } from '../../src/phong/math/vector.js';
+import { add, type Mat4, negate, type Vec3 } from '../../src/phong/math/vector.js';
 import {
   type CameraAxes,
   shade,
@@ -11,6 +11,7 @@ import {
   type Surface,
 } from '../../src/phong/reference/equation.js';
 import type { Reflection } from '../../src/phong/material/material-values.js';
+import { translation } from '../support/matrices.js';
 
 export interface Variant {
   readonly reflection: Reflection;
@@ -67,24 +68,7 @@ export function pack(
 ): PackedLights {
   const { right, up, back } = camera;
   const cameraToShading: Mat4 = [...right, 0, ...up, 0, ...back, 0, ...eye, 1];
-  const worldToShading: Mat4 = [
-    1,
-    0,
-    0,
-    0,
-    0,
-    1,
-    0,
-    0,
-    0,
-    0,
-    1,
-    0,
-    -origin[0],
-    -origin[1],
-    -origin[2],
-    1,
-  ];
+  const worldToShading = translation(negate(origin));
   packLights(lights, { worldToShading, cameraToShading, linear }, packed);
   return packed;
 }

@@ -1,6 +1,7 @@
 // A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of
 // every interpolation. As a data: address.
 import { viewsOf } from '../fuzz/glb.js';
+import { IDENTITY } from './matrices.js';
 
 export interface BarOptions {
   /** Whether the bar has joints. Default true. */
@@ -117,8 +118,6 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     ],
   };
 }
-
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export const addressOf = (document: object): string =>
   `data:model/gltf+json;base64,${Buffer.from(JSON.stringify(document)).toString('base64')}`;

@@ -11,8 +11,7 @@ import {
 } from '../../src/phong/light/pack-lights.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
-
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+import { IDENTITY } from '../support/matrices.js';
 
 export const WORLD: PackSpace = {
   worldToShading: IDENTITY,

@@ -21,7 +21,7 @@ export const around = <T>(reach: number, tell: (dx: number, dy: number) => T): T
   [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => tell(dx, dy)));
 
 /** Distance of a code from the range of these codes; 0 within. */
-export const outside = (code: number, codes: readonly number[]): number =>
+const outside = (code: number, codes: readonly number[]): number =>
   Math.max(Math.min(...codes) - code, code - Math.max(...codes), 0);
 
 export interface Errors {
@@ -105,22 +105,38 @@ export function compareWithReference(
   for (const { x, y, hit } of innerPixels(scene, width, height, 1)) {
     const color = colorOf(hit);
     for (let channel = 0; channel < 3; channel++) {
-      const expected = Math.round(color[channel]! * 255);
-      const actual = picture.data[4 * (y * width + x) + channel]!;
-      let error = Math.abs(expected - actual);
-      errors.compared += 1;
-      if (error === 0) {
-        errors.exact += 1;
-      }
-      if (error > 1) {
-        error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
-      }
-      const max = Math.max(errors.max, error); // keeps NaN
-      if (!Object.is(max, errors.max)) {
-        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${color[channel]! * 255}`;
-      }
-      errors.max = max;
+      compareChannel(errors, picture, { x, y, channel }, 255 * color[channel]!, () =>
+        beside(x, y, channel).filter(Number.isFinite),
+      );
     }
   }
   return errors;
+}
+
+/**
+ * Adds a channel of a picture to `errors`. One that is more than a code off `exact` may show any of
+ * the codes between this and those `near` it.
+ */
+export function compareChannel(
+  errors: Errors,
+  { data, width }: Picture,
+  { x, y, channel }: Readonly<Record<'x' | 'y' | 'channel', number>>,
+  exact: number,
+  near: () => readonly number[],
+): void {
+  const expected = Math.round(exact);
+  const actual = data[4 * (y * width + x) + channel]!;
+  let error = Math.abs(expected - actual);
+  errors.compared += 1;
+  if (error === 0) {
+    errors.exact += 1;
+  }
+  if (error > 1) {
+    error = outside(actual, [expected, ...near()]);
+  }
+  const max = Math.max(errors.max, error); // keeps NaN
+  if (!Object.is(max, errors.max)) {
+    errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${exact}`;
+  }
+  errors.max = max;
 }

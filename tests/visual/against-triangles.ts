@@ -11,7 +11,7 @@ import type { CastScene } from '../../src/extras/still/cast-scene.js';
 import { Tracer } from '../../src/extras/still/tracer.js';
 import { shadedAt } from '../support/shaded-at.js';
 import type { Picture } from '../support/test.js';
-import { around, CONE_EDGE, type Errors, outside, remembered } from './against-reference.js';
+import { around, compareChannel, CONE_EDGE, type Errors, remembered } from './against-reference.js';
 import {
   type CastMesh,
   castSceneOf,
@@ -40,36 +40,21 @@ interface TriangleErrors extends Errors {
  * against the range of colours among which that is.
  */
 export function compareWithTriangles(
-  { width, height, data }: Picture,
+  picture: Picture,
   scene: DeclaredScene,
   shading: string,
   subpixelBits: number,
 ): TriangleErrors {
-  const { inside, colorAt } = seenOf(scene, width, height, shading);
+  const { inside, colorAt } = seenOf(scene, picture.width, picture.height, shading);
   const errors: TriangleErrors = { max: 0, at: '', compared: 0, exact: 0, snapped: 0 };
   const reach = 2 ** -subpixelBits / 2;
   for (const { x, y, color, margin } of inside) {
     if (margin < CONE_EDGE) continue;
     for (let channel = 0; channel < 3; channel++) {
-      const actual = data[4 * (y * width + x) + channel]!;
-      let error = Math.abs(actual - code(color, channel));
-      errors.compared += 1;
-      if (error === 0) {
-        errors.exact += 1;
-      }
-      if (error > 1) {
-        const near = around(reach, (dx, dy) => colorAt(x + dx, y + dy).color);
-        error = outside(
-          actual,
-          [...near, color].map((one) => code(one, channel)),
-        );
+      compareChannel(errors, picture, { x, y, channel }, 255 * color[channel]!, () => {
         errors.snapped += 1;
-      }
-      const max = Math.max(errors.max, error); // keeps NaN
-      if (!Object.is(max, errors.max)) {
-        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * color[channel]!}`;
-      }
-      errors.max = max;
+        return around(reach, (dx, dy) => code(colorAt(x + dx, y + dy).color, channel));
+      });
     }
   }
   return errors;

@@ -4,7 +4,7 @@
 import { expect, type Page } from '@playwright/test';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import type { Vec3 } from '../../src/phong/math/vector.js';
-import { type CastMesh, caster } from './ray-cast.js';
+import { BLACK, type CastMesh, caster } from './ray-cast.js';
 
 /** A scene of shapes, told apart by colour. */
 export interface CoverageScene {
@@ -147,7 +147,6 @@ interface Seen {
   readonly close: boolean;
 }
 
-const SURFACE = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
 const ZERO: Vec3 = [0, 0, 0];
 const ONE: Vec3 = [1, 1, 1];
 
@@ -162,7 +161,7 @@ function seenBy(
       {
         pose: { theta, phi, radius, target },
         fov,
-        meshes: [{ ...SURFACE, geometry, position, rotation, scale }],
+        meshes: [{ ...BLACK, geometry, position, rotation, scale }],
         lights: [],
         options: {},
       },

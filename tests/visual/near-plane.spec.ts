@@ -8,6 +8,7 @@ import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, type Picture, pixels, test } from '../support/test.js';
 import { expectNoHoles, markupOf } from './coverage.js';
 import { floorsOfAllSizes, LOW_EYES, randomLowEye } from './low-eyes.js';
+import { BLACK, trianglesOf } from './ray-cast.js';
 
 const SIZE = { width: 40, height: 30 };
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -58,15 +59,8 @@ test('nothing of the page shows through the teapot, from all sides', async ({ mo
     '<phong-viewer geometry="teapot" segments="64" ka="0"></phong-viewer>',
     TEAPOT,
   );
-  const geometry = await createGeometry('teapot', undefined);
-  const array = (key: string) => geometry.getAttribute(key).array;
-  const shape = {
-    positions: array('position'),
-    normals: array('normal'),
-    index: geometry.index!.array,
-  };
-  const black = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
-  const objects = [{ shape: { kind: 'triangles', ...shape }, material: black }] as const;
+  const shape = trianglesOf(await createGeometry('teapot', undefined));
+  const objects = [{ shape, material: BLACK }];
   const { width, height } = TEAPOT;
   // The default view, into the spout, and from below.
   for (const view of [{}, { theta: 90, phi: 50 }, { theta: 100, phi: 140 }]) {

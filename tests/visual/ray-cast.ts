@@ -100,6 +100,9 @@ export function matrixOf({ position, rotation, scale }: CastMesh): Matrix4 {
   return new Matrix4().compose(new Vector3(...position), turn, new Vector3(...scale));
 }
 
+/** Where only the shape counts. */
+export const BLACK = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
+
 export const trianglesOf = (geometry: BufferGeometry): CastShape => ({
   kind: 'triangles',
   positions: geometry.getAttribute('position').array,

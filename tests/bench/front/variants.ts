@@ -15,6 +15,7 @@ import { specialisedVariant } from '../../../src/phong/material/program/special-
 import { generalVariant } from '../../../src/phong/material/program/variant.js';
 import type { WayName } from '../accuracy-chart.mjs';
 import hoistedGlsl from './hoisted.glsl?raw';
+import { IDENTITY } from '../../support/matrices.js';
 
 /**
  * A loop and the rows of four floats that it reads through `vec4 row(int)`. It provides `vec3
@@ -112,8 +113,6 @@ function plain(lights: readonly LightValues[], lobe: string, before = '', after 
     rows: Float32Array.from(rows),
   };
 }
-
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** The viewer's own: of its first frames for any number of lights, or the one that takes over. */
 function shipped(

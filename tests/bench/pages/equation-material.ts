@@ -21,6 +21,7 @@ import {
   type PhongMaterial,
   type Vec3,
 } from 'phong-viewer/core';
+import { IDENTITY } from '../../support/matrices.js';
 
 export type ShownMaterial = Pick<PhongMaterial, 'surface' | 'look' | 'sides'>;
 
@@ -113,8 +114,6 @@ export function equationMaterial(
     side: sides === 'closed' ? FrontSide : DoubleSide,
   });
 }
-
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** A viewer that is removed closes its images. */
 function copyOf(texture: Texture): Texture {

@@ -8,6 +8,7 @@ import { allReady, compare, expect, pixels, same, test, type Picture } from '../
 import { drawUntilSpecialised } from '../frames/driving.js';
 import { logGl } from '../support/gl-log.js';
 import { type PhongViewer, record, shownBy } from '../support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 60, height: 40 };
 const red =
@@ -164,8 +165,7 @@ test('moveBefore of wrapper or viewer keeps models, camera and panel; the order 
   const viewer = await mount(markup, size);
   await expect(viewer.locator('[part=panel] > *')).not.toHaveCount(0);
   await viewer.evaluate((element: PhongViewer) => (element.theta = 77));
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(request.url()));
+  const requests = requestsOf(page);
   const events = await record(viewer, 'load', 'error', 'camera-change');
   const kept = await viewer.evaluate(async (element: PhongViewer) => {
     const state = (): unknown[] => [

@@ -5,6 +5,7 @@ import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
@@ -20,8 +21,7 @@ test('auto waits in a closed dialog or <details>, model and panel; eager does no
   page,
   site,
 }) => {
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(request.url().replace(site.origin, '')));
+  const requests = requestsOf(page);
   const model = (name: string): string => `/fixtures/models/no-normals.glb?${name}`;
   const viewer = (name: string, rest = ''): string =>
     `<phong-viewer id="${name}" gui src="${model(name)}" ${rest}></phong-viewer>`;
@@ -34,7 +34,7 @@ test('auto waits in a closed dialog or <details>, model and panel; eager does no
       { head },
     ),
   );
-  await expect.poll(() => requests).toContain(model('c'));
+  await expect.poll(() => requests).toContain(site.origin + model('c'));
   await page.locator('#a').evaluate((element: PhongViewer) => element.ready);
   await nextFrame(page);
   const names = (): string[] =>
@@ -62,8 +62,7 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
 }) => {
   const near = await mount(`<main>${viewer()}</main>`, { ...size, css: above(700 + 650) });
   expect(await frames(near)).toBe(1);
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  const requests = requestsOf(page);
   const later = '/fixtures/models/textured.glb';
   const auto = await mount(
     `<main><phong-viewer src="${bunny}"></phong-viewer><phong-viewer loading="lazy" src="${later}"></phong-viewer></main>`,
@@ -75,7 +74,11 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
     await assign(auto, { theta });
   }
   await nextFrame(page);
-  expect([await frames(auto), await frames(lazy), requests.includes(later)]).toEqual([0, 0, false]);
+  expect([await frames(auto), await frames(lazy), requests.join().includes(later)]).toEqual([
+    0,
+    0,
+    false,
+  ]);
   for (const top of [100, 0, 100]) {
     await page.evaluate((y) => scrollTo(0, y), top);
     await expect.poll(() => frames(auto)).toBe(1);

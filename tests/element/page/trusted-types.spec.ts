@@ -7,6 +7,7 @@ import { usages } from '../../package/requests.js';
 import { expect, type Site, strictPolicy, test } from '../../support/test.js';
 import { button, panelOf } from '../../extras/panel/panel-rows.js';
 import type { PhongViewer } from '../support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const trusted = (policies: string): string =>
   `require-trusted-types-for 'script'; trusted-types ${policies}`;
@@ -20,8 +21,7 @@ test('a viewer works under a strict policy and trusted-types lit-html', async ({
   expect(strictPolicy).toBe(
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'",
   );
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(request.url()));
+  const requests = requestsOf(page);
   consoleGuard.allow(/404/, 1);
   // No worker starts without a policy of its own, and the browser reports the attempt. Draco is
   // then decoded on the main thread.

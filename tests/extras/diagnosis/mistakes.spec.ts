@@ -5,6 +5,7 @@ import type { ConsoleGuard } from '../../support/console-guard.js';
 import { expect, test } from '../../support/test.js';
 import type { Site } from '../../support/site.js';
 import { nextFrame, settled, type PhongViewer } from '../../element/support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 60, height: 40 };
 const scene = (inner: string, attributes = ''): string =>
@@ -182,8 +183,7 @@ test('correct markup gives no warning, and does not fetch the code for mistakes'
   site,
   mount,
 }) => {
-  const fetched: string[] = [];
-  page.on('request', (request) => fetched.push(request.url()));
+  const fetched = requestsOf(page);
   const own = 'class="a" id="b" data-c aria-hidden="true" title="A box" role="img" tabindex="0"';
   const viewer = await mount(
     `${scene(`${light(own)}${mesh('')}<p slot="error">Text</p>`, ` ${own}`)}<p>Text</p>`,

@@ -9,6 +9,7 @@ import { compare, expect, pixels, type Picture, strictPolicy, test } from '../..
 import { startSite, testMounts, wasmPolicy } from '../../support/site.js';
 import { dracoGlb } from '../../fuzz/models.js';
 import { type PhongViewer, settled } from '../../element/support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const engine = '/assets/models/real/engine/2CylinderEngine.gltf';
 const bunny = '/assets/models/bunny.glb';
@@ -70,13 +71,6 @@ function workersOf(page: Page): readonly string[] {
   const started: string[] = [];
   page.on('worker', (worker) => started.push(worker.url()));
   return started;
-}
-
-/** The address of every file that the page requests. */
-function requestsOf(page: Page): readonly string[] {
-  const requested: string[] = [];
-  page.on('request', (request) => requested.push(request.url()));
-  return requested;
 }
 
 test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({

@@ -13,6 +13,7 @@ import {
   set,
   settled,
 } from '../../element/support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 400, height: 200 };
 const folder = fileURLToPath(new URL('../../fixtures/models', import.meta.url));
@@ -303,8 +304,7 @@ test.describe('a droppable viewer', () => {
     );
     const sourceOf = (element: Locator): Promise<string> =>
       element.evaluate(({ src }: PhongViewer) => (typeof src === 'string' ? src : 'a file'));
-    const loads: string[] = [];
-    page.on('request', (request) => loads.push(request.url()));
+    const loads = requestsOf(page);
     const close = viewer.locator('[part=dismiss]');
     const undo = viewer.locator('button', { hasText: /^undo$/ });
     await expect(undo).toHaveAttribute('aria-disabled', 'true');

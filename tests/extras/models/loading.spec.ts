@@ -4,6 +4,7 @@
 import { addressOf } from '../../support/animated-gltf.js';
 import { compare, expect, pixels, same, test } from '../../support/test.js';
 import { assign, type PhongViewer, record, set, settled } from '../../element/support/viewer.js';
+import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
@@ -129,8 +130,7 @@ test('moving a viewer loads nothing again', async ({ page, mount }) => {
     size,
   );
   const before = await pixels(viewer);
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(request.url()));
+  const requests = requestsOf(page);
   await viewer.evaluate(async (element: PhongViewer) => {
     element.remove();
     await element.ready;

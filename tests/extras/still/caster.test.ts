@@ -15,6 +15,7 @@ import type {
 } from '../../../src/extras/still/cast-scene.js';
 import { type Sample, Tracer } from '../../../src/extras/still/tracer.js';
 import { fullOr } from '../../support/repeats.js';
+import { trianglesOf } from '../../visual/ray-cast.js';
 
 const FOV = 45;
 const WHITE: CastMaterial = { ka: [0, 0, 0], kd: [255, 255, 255], ks: [0, 0, 0], shininess: 32 };
@@ -30,17 +31,10 @@ const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({
   material,
 });
 
-async function torusOfTriangles(): Promise<CastObject> {
-  const geometry = await createGeometry('torus', 16);
-  const [positions, normals] = [
-    geometry.getAttribute('position').array,
-    geometry.getAttribute('normal').array,
-  ];
-  return {
-    shape: { kind: 'triangles', positions, normals, index: geometry.index!.array },
-    material: UNLIT,
-  };
-}
+const torusOfTriangles = async (): Promise<CastObject> => ({
+  shape: trianglesOf(await createGeometry('torus', 16)),
+  material: UNLIT,
+});
 
 /** Covered area in pixels. */
 const areaOf = (picture: Float64Array): number =>

@@ -16,7 +16,7 @@ import {
   selectLights,
 } from '../../../src/phong/light/pack-lights.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
-import { normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+import { negate, normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { coefficientsOf, shade } from '../../../src/phong/reference/equation.js';
 import {
   anyLight,
@@ -28,6 +28,7 @@ import {
   triple,
 } from '../arbitraries.js';
 import { loop, pack, read, WORLD } from '../packed-reader.js';
+import { translation } from '../../support/matrices.js';
 
 const f = Math.fround;
 const floats = (...numbers: number[]): number[] => numbers.map(f);
@@ -325,7 +326,7 @@ const spaceOf = (
   eye: Vec3,
   linear: boolean,
 ): PackSpace => ({
-  worldToShading: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -origin[0], -origin[1], -origin[2], 1],
+  worldToShading: translation(negate(origin)),
   cameraToShading: [...x, 0, ...y, 0, ...z, 0, ...subtract(eye, origin), 1],
   linear,
 });

@@ -16,26 +16,19 @@ import { outlineErrors } from '../../support/outlines.js';
 import type { CastShape } from '../../../src/extras/still/cast-scene.js';
 import { type Sample, Tracer } from '../../../src/extras/still/tracer.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
+import { IDENTITY } from '../../support/matrices.js';
+import { trianglesOf } from '../../visual/ray-cast.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;
 
 const FOV = 45;
 const SLOPE = Math.tan((FOV * Math.PI) / 360);
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const HEADLIGHT = new LightState({ space: 'camera', position: [0, 0, 1, 0] }).values;
 const POSE = { theta: 30, phi: 70 };
 const gray = (code: number): Vec3 => [code, code, code];
 
-async function built(name: RoundName, segments: number, isLevel: boolean): Promise<CastShape> {
-  const geometry = await createGeometry(name, segments, isLevel);
-  const array = (key: string) => geometry.getAttribute(key).array;
-  return {
-    kind: 'triangles',
-    positions: array('position'),
-    normals: array('normal'),
-    index: geometry.index!.array,
-  };
-}
+const built = async (name: RoundName, segments: number, isLevel: boolean): Promise<CastShape> =>
+  trianglesOf(await createGeometry(name, segments, isLevel));
 
 /**
  * A picture that a shape fills: its view, and how shapes are seen in it, of a default material but

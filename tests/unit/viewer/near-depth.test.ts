@@ -25,7 +25,7 @@ import { createGeometry } from '../../../src/phong/model/shapes/shapes.js';
 import { repeats } from '../../support/repeats.js';
 import type { CoverageScene } from '../../visual/coverage.js';
 import { LOW_EYES, randomLowEye } from '../../visual/low-eyes.js';
-import { caster } from '../../visual/ray-cast.js';
+import { BLACK, caster } from '../../visual/ray-cast.js';
 
 const WIDTH = 24;
 const HEIGHT = 18;
@@ -56,12 +56,10 @@ function built({ meshes }: CoverageScene): Scene {
   return scene;
 }
 
-const SURFACE = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
-
 /** The least depth at the centres of the pixels. */
 function leastSeen({ meshes, fov, ...pose }: CoverageScene): number {
   const placed = meshes.map((mesh) => ({
-    ...SURFACE,
+    ...BLACK,
     position: ZERO,
     rotation: ZERO,
     scale: ONE,
