@@ -2,7 +2,7 @@
 // values come from each surface's own formula. Green points up the image, and glTF's v runs down
 // it.
 import fc from 'fast-check';
-import { BufferAttribute, BufferGeometry, SphereGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, SphereGeometry, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import {
   cross,
@@ -22,7 +22,7 @@ interface Frame {
 }
 
 async function framesOf(geometry: BufferGeometry): Promise<readonly Frame[]> {
-  await addTangents(geometry, 'uv', new Slices(new AbortController().signal));
+  await addTangents(geometry, new Texture(), new Slices(new AbortController().signal));
   const { array, count } = geometry.getAttribute('tangent');
   const normals = geometry.getAttribute('normal').array;
   return Array.from({ length: count }, (_, i) => {

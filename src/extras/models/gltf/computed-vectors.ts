@@ -1,8 +1,9 @@
 // Normals and tangents that a file lacks: corners whose normal is zero take their face's.
-import { BufferAttribute, type BufferGeometry, type TypedArray } from 'three';
+import { BufferAttribute, type BufferGeometry, type Texture, type TypedArray } from 'three';
 import { writeFaceNormals } from '../../../phong/material/flat-geometry.js';
 import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
+import { uvNameOf } from './materials.js';
 
 /**
  * Whether some corner has a normal with a direction, and whether all have that can: triangles
@@ -56,19 +57,21 @@ export async function takeFileNormals(
 }
 
 /**
- * Adds the attribute `tangent`, computed from the texture coordinates `uv` (Lengyel, "Computing
- * Tangent Space Basis Vectors for an Arbitrary Mesh"): along growing u. Its w says that N × T · w
- * points up the image, as a normal map's green does: against growing v, because glTF's v runs down
- * the image.
+ * Adds the attribute `tangent`, computed from the map's texture coordinates as its transform leaves
+ * them (Lengyel, "Computing Tangent Space Basis Vectors for an Arbitrary Mesh"): along growing u.
+ * Its w says that N × T · w points up the image, as a normal map's green does: against growing v,
+ * because glTF's v runs down the image. The map's matrix must be up to date.
  */
 export async function addTangents(
   geometry: BufferGeometry,
-  uv: string,
+  normalMap: Texture,
   slices: Slices,
 ): Promise<void> {
+  const [uu, uv, , vu, vv] = normalMap.matrix.elements;
+  const side = Math.sign(uu * vv - uv * vu);
   const positions = geometry.getAttribute('position').array;
   const normals = geometry.getAttribute('normal').array;
-  const uvs = geometry.getAttribute(uv).array;
+  const uvs = geometry.getAttribute(uvNameOf(normalMap)).array;
   const { index } = geometry;
   const { count } = geometry.getAttribute('position');
   // Directions of growing u and v, summed over the triangles of each vertex.
@@ -98,13 +101,17 @@ export async function addTangents(
     }
   });
   const values = new Float32Array(4 * count);
+  /** Along the transformed u or v: the inverse of the transform, whose size does not matter. */
+  const sum = (at: number, u: number, v: number): number =>
+    side * (u * alongU[at]! + v * alongV[at]!);
   await slices.over(count, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      const [nx, ny, nz] = [normals[3 * i]!, normals[3 * i + 1]!, normals[3 * i + 2]!];
-      const [ux, uy, uz] = [alongU[3 * i]!, alongU[3 * i + 1]!, alongU[3 * i + 2]!];
+      const [x0, y0, z0] = [3 * i, 3 * i + 1, 3 * i + 2];
+      const [nx, ny, nz] = [normals[x0]!, normals[y0]!, normals[z0]!];
+      const [ux, uy, uz] = [sum(x0, vv, -uv), sum(y0, vv, -uv), sum(z0, vv, -uv)];
       const along = nx * ux + ny * uy + nz * uz;
       const [x, y, z] = [ux - nx * along, uy - ny * along, uz - nz * along];
-      const [vx, vy, vz] = [alongV[3 * i]!, alongV[3 * i + 1]!, alongV[3 * i + 2]!];
+      const [vx, vy, vz] = [sum(x0, -vu, uu), sum(y0, -vu, uu), sum(z0, -vu, uu)];
       const length = Math.sqrt(x * x + y * y + z * z);
       if (length > 0 && length < Infinity) {
         values.set([x / length, y / length, z / length], 4 * i);

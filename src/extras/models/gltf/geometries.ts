@@ -9,6 +9,7 @@ import {
   type Object3D,
   type Skeleton,
   SkinnedMesh,
+  type Texture,
 } from 'three';
 import { faceNormals } from '../model-reader.js';
 import type { Slices } from '../slices.js';
@@ -97,30 +98,30 @@ export class Geometries {
     const uvs = [
       ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
     ];
-    const tangents = normalMap === null ? null : uvNameOf(normalMap);
+    normalMap?.updateMatrix();
+    const tangents = [normalMap?.channel, normalMap?.matrix.elements];
     const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
     const { meshes = -1, primitives = -1 } = this.#source.indicesOf(mesh) ?? {};
     const { mode = TRIANGLES, targets = [] } = this.#source.primitives[meshes]?.[primitives] ?? {};
     // The weights of morph targets belong to a node.
     const own = targets.length > 0 ? mesh.uuid : '';
-    const key = [mesh.geometry.uuid, mode, ...uvs, 'tangents', tangents, skin, own].join(' ');
+    const key = [mesh.geometry.uuid, mode, ...uvs, ...tangents, skin, own].join(' ');
     const present = this.#cache.get(key);
     if (present) return present;
-    const built = await this.#build(mesh, mode, uvs, tangents, targets);
+    const built = await this.#build(mesh, mode, uvs, normalMap, targets);
     this.#cache.set(key, built);
     return built;
   }
 
-  /** @param tangents the coordinates of the normal map; null for none. */
   async #build(
     mesh: Mesh,
     mode: number,
     uvs: readonly string[],
-    tangents: string | null,
+    normalMap: Texture | null,
     targets: readonly MorphAccessors[],
   ): Promise<BufferGeometry> {
     const source = mesh.geometry;
-    const attributes = await this.#attributesOf(source, uvs, tangents !== null);
+    const attributes = await this.#attributesOf(source, uvs, normalMap !== null);
     const { count = 0, array: positions = [] } = attributes.get('position') ?? {};
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) {
@@ -153,7 +154,7 @@ export class Geometries {
         attributes.delete(name);
       }
     }
-    const computed = tangents !== null && !attributes.has('tangent');
+    const computed = normalMap !== null && !attributes.has('tangent');
     // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
     const separate = corners && (!all || corners.length * 2 < count) ? corners : null;
     const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
@@ -188,7 +189,7 @@ export class Geometries {
       geometry.setIndex(new BufferAttribute(corners, 1));
     }
     if (computed) {
-      await addTangents(geometry, tangents, this.#slices);
+      await addTangents(geometry, normalMap, this.#slices);
     }
     if (moves) {
       await this.#deform(mesh, geometry, flat, attributes, targets);
