@@ -215,9 +215,8 @@ const MOST_CHUNKS = 1000;
 
 function hasText(view: DataView, at: number, text: string): boolean {
   if (at + text.length > view.byteLength) return false;
-  return Array.from(text).every(
-    (character, i) => view.getUint8(at + i) === character.charCodeAt(0),
-  );
+  const bytes = new Uint8Array(view.buffer, view.byteOffset + at, text.length);
+  return String.fromCharCode(...bytes) === text;
 }
 
 /** The one IHDR chunk, which comes first. */

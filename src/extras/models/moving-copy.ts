@@ -38,9 +38,7 @@ export function movingCopy(content: Content): Content {
     ...content,
     parts,
     motion: {
-      names: motion.names,
-      work: motion.work,
-      durationOf: (name) => motion.durationOf(name),
+      ...motion,
       pose: (name, seconds) => {
         motion.pose(name, seconds);
         parts.forEach(({ matrix }, i) => matrix.copy(content.parts[i]!.matrix));
@@ -48,7 +46,6 @@ export function movingCopy(content: Content): Content {
           copy.follow();
         }
       },
-      reach: (name, signal) => motion.reach(name, signal),
     },
     dispose: () => {
       for (const copy of copies.values()) {

@@ -108,7 +108,7 @@ export async function gathered(
   slices: Slices,
   items = source.itemSize,
 ): Promise<BufferAttribute> {
-  const { length } = corners ?? { length: source.count };
+  const length = corners?.length ?? source.count;
   const values = new Float32Array(length * items);
   await slices.over(length, (from, to) => {
     for (let i = from; i < to; i += 1) {

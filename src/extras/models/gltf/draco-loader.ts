@@ -40,7 +40,7 @@ export function dracoLoader(slices: Slices, signal: AbortSignal): DracoLoader {
     }
     return geometry;
   };
-  const loader = {
+  return {
     preload: (): void => undefined,
     decodeDracoFile(
       bytes: ArrayBuffer,
@@ -52,8 +52,7 @@ export function dracoLoader(slices: Slices, signal: AbortSignal): DracoLoader {
     ): void {
       decode({ bytes, idByName, arrayTypeByName }).then(onLoad).catch(onError);
     },
-  };
-  return loader as unknown as DracoLoader;
+  } as unknown as DracoLoader;
 }
 
 /** What the document says of the mesh in a buffer view. */
@@ -87,7 +86,10 @@ const HAS_METADATA = 0x8000;
 
 function meshSize(bytes: Uint8Array): { readonly faces: number; readonly points: number } {
   const reader = new Reader(bytes);
-  if (reader.text(5) !== 'DRACO') throw new Error('its Draco data is broken');
+  if (String.fromCharCode(...bytes.subarray(0, 5)) !== 'DRACO') {
+    throw new Error('its Draco data is broken');
+  }
+  reader.skip(5);
   const version = reader.uint(1) * 256 + reader.uint(1);
   if (reader.uint(1) !== MESH) throw new Error('it contains no Draco mesh');
   const edgebreaker = reader.uint(1) === 1;
@@ -140,10 +142,6 @@ class Reader {
 
   skip(bytes: number): void {
     this.#at += bytes;
-  }
-
-  text(length: number): string {
-    return Array.from({ length }, () => String.fromCharCode(this.uint(1))).join('');
   }
 
   /** Little-endian. */

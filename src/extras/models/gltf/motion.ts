@@ -343,26 +343,21 @@ function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): 
     for (let c = 0; c < width; c += 1) {
       out[c] = values[at + c]!;
     }
-    if (rotation) {
-      normalize(out);
-    }
-    return;
-  }
-  const step = times[to]! - times[from]!;
-  const t = (seconds - times[from]!) / step;
-  const a = first + from * stride;
-  const b = first + to * stride;
-  if (cubic) {
-    const [p, m, q, n] = hermite(t, step);
-    for (let c = 0; c < width; c += 1) {
-      const leaving = values[a + width + c]!;
-      const arriving = values[b - width + c]!;
-      out[c] = p * values[a + c]! + m * leaving + q * values[b + c]! + n * arriving;
-    }
   } else {
-    const [p, q] = rotation ? slerp(values, a, b, t) : ([1 - t, t] as const);
+    const step = times[to]! - times[from]!;
+    const t = (seconds - times[from]!) / step;
+    const a = first + from * stride;
+    const b = first + to * stride;
+    const [p, q, m = 0, n = 0] = cubic
+      ? hermite(t, step)
+      : rotation
+        ? slerp(values, a, b, t)
+        : [1 - t, t];
     for (let c = 0; c < width; c += 1) {
       out[c] = p * values[a + c]! + q * values[b + c]!;
+      if (cubic) {
+        out[c]! += m * values[a + width + c]! + n * values[b - width + c]!;
+      }
     }
   }
   if (rotation) {
@@ -385,11 +380,11 @@ function lastAtOrBefore(times: Float32Array, seconds: number): number {
   return low;
 }
 
-/** Factors of value, out-tangent, next value and its in-tangent (glTF 2.0, appendix C.5). */
+/** Factors of value, next value, out-tangent and the next in-tangent (glTF 2.0, appendix C.5). */
 function hermite(t: number, step: number): readonly [number, number, number, number] {
   const t2 = t * t;
   const t3 = t2 * t;
-  return [2 * t3 - 3 * t2 + 1, step * (t3 - 2 * t2 + t), 3 * t2 - 2 * t3, step * (t3 - t2)];
+  return [2 * t3 - 3 * t2 + 1, 3 * t2 - 2 * t3, step * (t3 - 2 * t2 + t), step * (t3 - t2)];
 }
 
 /**
@@ -415,12 +410,10 @@ function slerp(values: Float32Array, a: number, b: number, t: number): readonly 
 function normalize(q: Float64Array): void {
   const length = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]! + q[3]! * q[3]!);
   if (!(length > 0)) {
-    q.set(NO_ROTATION);
+    q.set([0, 0, 0, 1]);
   } else {
     for (let c = 0; c < 4; c += 1) {
       q[c]! /= length;
     }
   }
 }
-
-const NO_ROTATION = [0, 0, 0, 1];

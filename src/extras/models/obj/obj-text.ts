@@ -196,9 +196,7 @@ class ObjReader {
       );
     }
     // Four numbers are x y z w, and w matters to curves only. Six are x y z r g b.
-    const [red, green, blue] = scanner.atLineEnd()
-      ? NO_COLOR
-      : [scanner.number(), scanner.number(), scanner.number()];
+    const [red, green, blue] = [scanner.number(), scanner.number(), scanner.number()];
     if (Number.isNaN(blue)) {
       if (colors.length > 0) {
         colors.fillTo(3 * places.count, FULL);
@@ -347,5 +345,3 @@ function libraryNames(text: string): string[] {
     unquoted(written.trim()).replace(/\\/g, '/'),
   ).filter((name) => name !== '' && !name.startsWith('#'));
 }
-
-const NO_COLOR = [NaN, NaN, NaN] as const;

@@ -120,24 +120,17 @@ function countOf(view: DataView): number {
 
 const WHITE: Vec3 = [1, 1, 1];
 
-const SPACE = 0x20;
-
 /** The body's colour as Magics writes it: `COLOR=` and four bytes r g b a in the header. */
 function headerColor(view: DataView): { readonly color: Vec3; readonly opacity: number } | null {
-  const word = 'COLOR=';
-  for (let at = 0; at + word.length + 4 <= STL_HEADER - 4; at += 1) {
-    if (
-      !Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0))
-    ) {
-      continue;
-    }
-    const [r = 0, g = 0, b = 0] = [6, 7, 8].map((i) => view.getUint8(at + i) / 255);
-    const alpha = view.getUint8(at + 9);
-    // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a
-    // space.
-    return { color: [r, g, b], opacity: alpha === 0 || alpha === SPACE ? 1 : alpha / 255 };
-  }
-  return null;
+  const at = String.fromCharCode(
+    ...new Uint8Array(view.buffer, view.byteOffset, STL_HEADER - 8),
+  ).indexOf('COLOR=');
+  if (at < 0) return null;
+  const [r = 0, g = 0, b = 0] = [6, 7, 8].map((i) => view.getUint8(at + i) / 255);
+  const alpha = view.getUint8(at + 9);
+  // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a
+  // space.
+  return { color: [r, g, b], opacity: [0, 0x20].includes(alpha) ? 1 : alpha / 255 };
 }
 
 /**

@@ -3,14 +3,7 @@
 import type { LeftOut } from '../left-out.js';
 import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
-import {
-  type CornerLists,
-  type Growing,
-  itemAt,
-  NONE,
-  NOT_THERE,
-  setItem,
-} from './corner-lists.js';
+import { type CornerLists, itemAt, NONE, NOT_THERE, setItem } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
@@ -82,8 +75,11 @@ function settle(lists: CornerLists, at: number, misses: { uv: number; normal: nu
   if (normals.length === 0 || !isTurned(lists, at)) return;
   const { array } = lists.corners;
   [array[at + 1], array[at + 2]] = [array[at + 2]!, array[at + 1]!];
-  exchange(cornerUvs, at + 1, at + 2);
-  exchange(cornerNormals, at + 1, at + 2);
+  for (const list of [cornerUvs, cornerNormals]) {
+    const [second, third] = [itemAt(list, at + 1), itemAt(list, at + 2)];
+    setItem(list, at + 1, third);
+    setItem(list, at + 2, second);
+  }
 }
 
 const face: FaceVector = { x: 0, y: 0, z: 0 };
@@ -104,10 +100,4 @@ function isTurned({ corners, cornerNormals, normals, places }: CornerLists, at: 
     along += face.z * normals.array[normal + 2]!;
   }
   return along < 0;
-}
-
-function exchange(list: Growing<Int32Array>, a: number, b: number): void {
-  const [first, second] = [itemAt(list, a), itemAt(list, b)];
-  setItem(list, a, second);
-  setItem(list, b, first);
 }

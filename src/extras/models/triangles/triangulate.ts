@@ -158,7 +158,7 @@ function flattened(positions: Float32Array, vertices: Int32Array): Float64Array 
   // Newell's normal: twice the areas of the projections.
   const normal = [0, 0, 0];
   for (let i = 0; i < count; i += 1) {
-    const j = i + 1 === count ? 0 : i + 1;
+    const j = (i + 1) % count;
     for (let axis = 0; axis < 3; axis += 1) {
       const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
       normal[axis] = normal[axis]! + (at(i, u) - at(j, u)) * (at(i, v) + at(j, v));
