@@ -8,7 +8,7 @@ import { firstOf } from '../../support/repeats.js';
 import type { PhongViewer } from '../../element/support/viewer.js';
 
 /** Files of which each has a kind of its own; they come first. */
-const FIRST = 87;
+const FIRST = 89;
 
 interface Check {
   readonly x: number;
@@ -31,6 +31,8 @@ interface Case {
   readonly event: 'load' | 'error';
   readonly attributes?: { readonly ka?: string; readonly nolight?: string };
   readonly checks: readonly Check[];
+  /** What a warning says, as a regular expression. */
+  readonly says?: string;
 }
 
 const cases = JSON.parse(
@@ -102,12 +104,11 @@ for (const format of ['gltf', 'obj', 'ply', 'stl']) {
     test.setTimeout(120_000);
     // Each file that is left out is named; a missing one is the browser's error too.
     // Those of STL are shown without a word.
-    if (format !== 'stl') {
-      consoleGuard.allow(/^warning: |Failed to load resource/);
-    }
+    const said = format === 'stl' ? [] : consoleGuard.allow(/^warning: |Failed to load resource/);
     await mount('');
     for (const one of firstOf(cases, FIRST).filter(({ file }) => file.startsWith(`${format}/`))) {
       expect.soft(await page.evaluate(differences, one), `${one.id} (${one.why})`).toEqual([]);
+      expect.soft(said.join('\n')).toMatch(one.says ?? '');
     }
   });
 }

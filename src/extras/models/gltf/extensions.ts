@@ -4,9 +4,9 @@ import { namesIn, objectsAt, optionalObject, shortListAt, type JsonObject } from
 export const INSTANCING = 'EXT_mesh_gpu_instancing';
 export const VISIBILITY = 'KHR_node_visibility';
 
-/** Extensions that a document can require: without them it is shown still, or they are shown. */
+/** Extensions that a document can require beside {@link SHOWN}: without them it is shown still. */
 const READABLE =
-  /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
+  /^((EXT|KHR)_(meshopt_compression|texture_\w+)|KHR_(materials_\w+|lights_punctual|animation_pointer))$/;
 
 /** Extensions that are shown, or that change no picture. */
 const SHOWN =
@@ -16,7 +16,7 @@ const SHOWN =
 export const unreadable = (json: JsonObject): string | undefined =>
   shortListAt(json['extensionsRequired'], 'extensionsRequired')
     .map(String)
-    .find((name) => !READABLE.test(name));
+    .find((name) => !SHOWN.test(name) && !READABLE.test(name));
 
 /**
  * The names of the extensions in use that are left out. Those of textures are reported with their
