@@ -28,6 +28,7 @@ export interface GltfTexture {
   readonly sampler: JsonObject;
 }
 
+const GLOSSY = 'KHR_materials_pbrSpecularGlossiness';
 /** Mostly smaller than the plain `source`, which is the fallback. */
 const WEBP = 'EXT_texture_webp';
 /**
@@ -93,9 +94,11 @@ export function readMaterials(
 ): Promise<readonly GltfMaterial[]> {
   return slices.map(objectsAt(json['materials'], 'materials'), (material, i) => {
     const what = `materials[${String(i)}]`;
-    const metallic = optionalObject(material['pbrMetallicRoughness'], what);
     const extensions = optionalObject(material['extensions'], what);
-    const glossy = optionalObject(extensions['KHR_materials_pbrSpecularGlossiness'], what);
+    const glossy = optionalObject(extensions[GLOSSY], what);
+    // What stands beside the extension is for programs that do not know it.
+    const metallic =
+      GLOSSY in extensions ? {} : optionalObject(material['pbrMetallicRoughness'], what);
     const specular = optionalObject(extensions['KHR_materials_specular'], what);
     if ('occlusionTexture' in material) {
       dropped.add('occlusionTexture');
