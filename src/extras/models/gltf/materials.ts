@@ -78,6 +78,7 @@ interface MaterialValues {
 }
 
 export interface GltfMaterial extends JsonObject {
+  readonly uses: readonly TextureUse[];
   /** Sets of texture coordinates that take the places of others, by these. */
   readonly uvSets: ReadonlyMap<number, number>;
 }
@@ -144,7 +145,7 @@ export function readMaterials(
         } satisfies MaterialValues,
       },
     };
-    return { ...read, uvSets: movedUvSets(uses) };
+    return { ...read, uses, uvSets: movedUvSets(uses) };
   });
 }
 

@@ -131,6 +131,13 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   for (const { name, accessor } of attributes) {
     indexes[name] = accessor.index;
   }
+  if (
+    materials[material ?? -1]?.uses.some(
+      ({ texCoord }) => !(`TEXCOORD_${String(texCoord)}` in indexes),
+    )
+  ) {
+    context.dropped.add('textures that have no texture coordinates');
+  }
   const order =
     primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
