@@ -81,6 +81,9 @@ export async function modelContent(
       warn(missingText(name, missing));
     }
     const dropped = [...(model.dropped ?? [])];
+    if (model.parts.every(({ look }) => look.opacity === 0)) {
+      dropped.push('all of its surfaces, whose opacity is 0');
+    }
     if (dropped.length > 0) {
       warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
     }
