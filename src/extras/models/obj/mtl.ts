@@ -195,7 +195,7 @@ const VECTORS = ['-o', '-s', '-t'];
 
 /** Options before the file's name, with the most numbers or words that they take. */
 const OPTIONS: ReadonlyMap<string, number> = new Map([
-  ...'-blendu -blendv -bm -boost -cc -clamp -imfchan -texres -type'
+  ...'-blendu -blendv -bm -boost -cc -clamp -colorspace -imfchan -texres -type'
     .split(' ')
     .map((option) => [option, 1] as const),
   ['-mm', 2],
