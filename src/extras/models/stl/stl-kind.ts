@@ -25,9 +25,12 @@ export const isBinaryStl = (bytes: Uint8Array): boolean =>
 export const holdsTriangles = (bytes: Uint8Array): boolean =>
   claimed(bytes) > 0 && bytes.byteLength >= sizeOf(claimed(bytes));
 
-/** Comments before `solid`, which some programs write although the format has none. */
+/**
+ * Comments before `solid`, which some programs write although the format has none. Lines of other
+ * words may follow it, no bytes of numbers; or `solid` is missing.
+ */
 const TEXT =
-  /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*solid\b[^\r\n]*([\r\n]\s*(facet|endsolid)|\s(facet\s+normal|endsolid))\b/i;
+  /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*(solid\b[^\0]*?([\r\n][^\S\r\n]*(facet|endsolid)|\s(facet\s+normal|endsolid))|facet\s+normal)\b/i;
 
 /**
  * Whether it begins as a text file does, with a byte order mark or without, with lines or in one.
