@@ -14,7 +14,6 @@ import {
   pushColor,
   toFractions,
   UNSTATED,
-  WIDE,
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
@@ -135,6 +134,9 @@ class PlyRows {
     const taker = this.#takerOf(element, row);
     const columns = element.properties.map(({ name, type, countType }) => {
       const slot = slotOf(name) ?? UNUSED;
+      if (slot === UNUSED && /colou?r/i.test(name)) {
+        this.#leftOut.feature(`the property ${clip(name, 40)}`);
+      }
       return {
         type,
         countType,
@@ -143,6 +145,9 @@ class PlyRows {
         taken: taker.list?.test(name) === true,
       };
     });
+    if (taker.list && !columns.some(({ taken }) => taken)) {
+      throw new Error('its faces have no list vertex_indices');
+    }
     for (let i = 0; i < element.count;) {
       if (this.#readPiece(columns, row, taker)) {
         i += 1;
@@ -205,8 +210,8 @@ class PlyRows {
 
   async finish(): Promise<CornerLists> {
     this.#chooseColors();
-    for (const { list, wide } of [this.#ofVertices, this.#ofFaces]) {
-      await toFractions(list, this.#slices, wide);
+    for (const { list, unit } of [this.#ofVertices, this.#ofFaces]) {
+      await toFractions(list, this.#slices, unit);
     }
     const { count } = this.#lists.places;
     const highest = this.#highestVertex;
@@ -224,16 +229,14 @@ class PlyRows {
       properties.map((property) => (property.countType === null ? slotOf(property.name) : -1)),
     );
     const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
-    const wide = properties.every(
-      (property) => slotOf(property.name) !== COLOR || property.type.full === WIDE,
-    );
+    const unit = properties.find((property) => slotOf(property.name) === COLOR)?.type.full;
     if (name === 'vertex') {
       if (!has(PLACE)) throw new Error('its vertices have no x, y and z');
-      this.#ofVertices.wide = wide;
+      this.#ofVertices.unit = unit;
       return this.#vertices(row, has(NORMAL), has(COLOR));
     }
     if (name === 'face') {
-      this.#ofFaces.wide = wide;
+      this.#ofFaces.unit = unit;
       return this.#faces(row, has(COLOR));
     }
     if (name === 'tristrips') return this.#strips();
@@ -265,7 +268,7 @@ class PlyRows {
     const colors = this.#ofFaces;
     const polygons = this.#polygons;
     return {
-      list: /^vertex_ind(ices|ex)$/,
+      list: /^vert(ex|ices)?_?ind(ices|ex)$/i,
       begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : NONE),
       item: (value) => polygons.add(this.#vertexOf(value)),
       endList: () => polygons.end(),
@@ -342,8 +345,8 @@ class PlyRows {
 /** Colours of vertices or of faces. */
 class Colors {
   readonly list: Growing<Float32Array>;
-  /** Whether they are whole numbers of 16 bits. */
-  wide = false;
+  /** What they were divided by. */
+  unit: number | undefined;
   /** Whether they are not all the same. */
   differ = false;
   readonly #first: number;
@@ -362,7 +365,7 @@ class Colors {
   }
 
   get hasAlpha(): boolean {
-    return this.#leastAlpha < fullOf(this.#mostAlpha, this.wide);
+    return this.#leastAlpha < fullOf(this.#mostAlpha, this.unit);
   }
 
   push(row: Row): void {

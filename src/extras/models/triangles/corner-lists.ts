@@ -195,23 +195,21 @@ export function pushColor(
 /** Floats above this are taken for bytes. A little more than 1 is rounding, or a bright colour. */
 const MOST_FRACTION = 2;
 
-/** Full intensity of whole numbers of 16 bits. */
-export const WIDE = 65535;
-
 /**
- * Full intensity of channels whose largest is `most`: a float above 2 counts to 255, and so do
- * `wide` ones, which were divided by {@link WIDE}, where none is above 255.
+ * Full intensity of channels that were divided by `unit`, and of which this is the largest: what is
+ * written above 1, of floats above 2, counts to 255, and above 255 to the unit.
  */
-export function fullOf(most: number, wide = false): number {
-  if (wide) return most * WIDE < 255.5 ? 255 / WIDE : 1; // half a step for float32
-  return most > MOST_FRACTION ? 255 : 1;
+export function fullOf(most: number, unit = 1): number {
+  const written = most * unit;
+  if (written <= (unit === 1 ? MOST_FRACTION : 1.5)) return 1 / unit; // half a step for float32
+  return written < 255.5 || unit === 1 ? 255 / unit : 1;
 }
 
 /** Colours as fractions, clamped to 0–1. */
 export async function toFractions(
   colors: Growing<Float32Array>,
   slices: Slices,
-  wide = false,
+  unit?: number,
 ): Promise<void> {
   const { array } = colors;
   let most = 0;
@@ -220,7 +218,7 @@ export async function toFractions(
       most = Math.max(most, array[i]!);
     }
   });
-  const full = fullOf(most, wide);
+  const full = fullOf(most, unit);
   await slices.over(colors.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       array[i] = array[i] === FULL ? 1 : Math.min(array[i]! / full, 1);
