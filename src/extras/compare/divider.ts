@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../phong/camera/gesture.js';
 import { followDrag } from '../../phong/camera/followed-drag.js';
+import { clamp } from '../../phong/math/vector.js';
 
 /** The comparison that a divider is part of. */
 export interface DividedBox {
@@ -134,7 +135,7 @@ export function withMoved(
   place: number,
 ): readonly number[] {
   const [min, max] = rangeOf(places, index);
-  return places.map((each, i) => (i === index ? Math.min(Math.max(place, min), max) : each));
+  return places.map((each, i) => (i === index ? clamp(place, min, max) : each));
 }
 
 /** Percent that a key moves a divider by; infinite: all the way. Undefined for other keys. */

@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { isDecodable } from '../../phong/material/decoded-texture.js';
 import { srgbDecode } from '../../phong/math/color.js';
-import type { Vec4 } from '../../phong/math/vector.js';
+import { clamp, type Vec4 } from '../../phong/math/vector.js';
 import { type TriangleHit, type TrianglePoint, weightsBeside } from './ray-triangles.js';
 import { NoWebGL2Error } from '../../phong/material/device.js';
 
@@ -59,7 +59,7 @@ function texel({ width, data }: Texels, column: number, row: number): Vec4 {
 
 /** Index of the texel that `i` wraps to, in a row of `size`. */
 function wrap(i: number, size: number, wrapping: Wrapping): number {
-  if (wrapping === ClampToEdgeWrapping) return Math.min(Math.max(i, 0), size - 1);
+  if (wrapping === ClampToEdgeWrapping) return clamp(i, 0, size - 1);
   const turn = ((i % size) + size) % size;
   const mirrored = wrapping === MirroredRepeatWrapping && Math.floor(i / size) % 2 !== 0;
   return mirrored ? size - 1 - turn : turn;

@@ -1,4 +1,5 @@
 // An image between the texels of its largest level.
+import { clamp } from '../../phong/math/vector.js';
 import type { CastTexture, Wrap } from './cast-scene.js';
 
 /** What a texel's code stands for. */
@@ -35,7 +36,7 @@ export function readTexture(
 }
 
 function wrapped(i: number, size: number, wrap: Wrap): number {
-  if (wrap === 'clamp') return Math.min(Math.max(i, 0), size - 1);
+  if (wrap === 'clamp') return clamp(i, 0, size - 1);
   const turn = ((i % size) + size) % size;
   return wrap === 'mirror' && Math.floor(i / size) % 2 !== 0 ? size - 1 - turn : turn;
 }

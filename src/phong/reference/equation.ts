@@ -8,6 +8,7 @@ import { atan2, exp, log1p, pow } from '../math/elementary.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
 import {
   add,
+  clamp,
   cross,
   dot,
   length,
@@ -130,7 +131,7 @@ export function sumOf(
   if (linear) {
     sum = map(sum, srgbEncode);
   }
-  return { sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)) };
+  return { sum, color: map(sum, (x) => clamp(x, 0, 1)) };
 }
 
 /**
