@@ -51,8 +51,11 @@ export class Batches {
     return this.#size;
   }
 
-  /** Whether the GPU has nearly finished the last batch. Does not wait for it. */
-  get ended(): boolean {
+  /**
+   * True once the GPU has nearly finished the last batch, whose time then decides the next size.
+   * Does not wait for the GPU.
+   */
+  poll(): boolean {
     if (this.#fence === null) return true;
     if (!this.#signalled) return false;
     this.#finished = Math.min(this.#finished, performance.now() - this.#start);

@@ -210,7 +210,7 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    if (sum.count < this.#wanted && batches.ended) {
+    if (sum.count < this.#wanted && batches.poll()) {
       if (batches.tooSlow) {
         this.#fail();
         return;
@@ -327,7 +327,7 @@ function* drawBatches(
     try {
       if (!canSum(renderer) || !sum.begin(tile)) return null;
       while (sum.count < samples) {
-        if (atOnce || batches.ended) {
+        if (atOnce || batches.poll()) {
           if (!stage.drawAside((r) => sendBatch(batches, sum, samples, size, tile, r, picture))) {
             return null;
           }
