@@ -99,7 +99,7 @@ export class MeshLights {
     if (culled === undefined) {
       this.#culled.set(mesh, (culled = new CulledLights(mesh)));
     }
-    const moved = culled.moved(this.#origin);
+    const moved = culled.update(this.#origin);
     const kept = culled.subset === null || this.#subsets.get(culled.subset.key) === culled.subset;
     if (moved || !kept || culled.source !== this.all.revision) {
       this.#cull(culled);
@@ -160,8 +160,8 @@ class CulledLights {
     this.#mesh = mesh;
   }
 
-  /** Whether bounds changed since the last call. */
-  moved(origin: Vec3): boolean {
+  /** Computes the box again if the mesh has changed. True if so. */
+  update(origin: Vec3): boolean {
     const { geometry, matrixWorld } = this.#mesh;
     const sameBounds = this.#geometry === geometry && this.#bounds === geometry.boundingBox;
     if (sameBounds && this.#origin === origin && this.#matrix.equals(matrixWorld)) return false;

@@ -172,7 +172,7 @@ export class PhongMaterial extends RawShaderMaterial {
       this.#writeSurface();
     }
     this.#chooseTextures();
-    const mirrors = this.#place(mesh);
+    const mirrors = this.#writeMatrices(mesh);
     const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
     Object.assign(this.uniforms, this.#lighting.packing.view?.program?.uniforms);
     this.#use(variant);
@@ -228,7 +228,7 @@ export class PhongMaterial extends RawShaderMaterial {
    * Writes the mesh's place in shading space into three.js's matrices. True where `uMirrored` has
    * changed.
    */
-  #place(mesh: Mesh): boolean {
+  #writeMatrices(mesh: Mesh): boolean {
     const { origin } = this.#lighting.space;
     const model = mesh.modelViewMatrix.copy(mesh.matrixWorld);
     const e = model.elements;

@@ -23,7 +23,7 @@ export interface FramedScene {
   /** Another version is to be drawn. */
   invalidate(): void;
   /** Brings the world matrices up to date. */
-  place(): void;
+  updateMatrices(): void;
 }
 
 export class AutoFit {
@@ -110,7 +110,7 @@ export class AutoFit {
 
   measure(): Extent {
     if (this.#measured !== null) return this.#measured;
-    this.#picture.place();
+    this.#picture.updateMatrices();
     return (this.#measured = measure(this.#picture.scene));
   }
 

@@ -10,7 +10,7 @@ import type { Region, Size } from '../../phong/math/region.js';
 import { nearestDepth } from './near-depth.js';
 import type { Frustum } from '../../phong/geometry/frustum-clip.js';
 
-/** One object for all frames of a picture: {@link look} and then {@link aim} overwrite it. */
+/** One object for all frames of a picture: {@link update} and then {@link aim} overwrite it. */
 export class Frame {
   /** Device pixels of the whole picture. */
   width = 0;
@@ -46,10 +46,10 @@ export class Frame {
   }
 
   /**
-   * Looks from the orbit; {@link aim} follows. `fov` is vertical, in degrees. False if only lights
+   * Takes the orbit's place; {@link aim} follows. `fov` is vertical, in degrees. False if only lights
    * can differ.
    */
-  look(fov: number, { width, height }: Size, samples = 1, version = 0, share = 1): boolean {
+  update(fov: number, { width, height }: Size, samples = 1, version = 0, share = 1): boolean {
     const { view, camera } = this;
     const isSameSize = width === this.width && height === this.height;
     const isAlike = isSameSize && samples === this.samples && share === this.share;

@@ -172,7 +172,7 @@ export class Picture {
    * Updates order and world matrices before drawing or measuring. A mesh that has not moved costs
    * one call. A user's objects are computed again each time, as three.js does.
    */
-  place(): void {
+  updateMatrices(): void {
     const { children } = this.scene;
     let own = 0;
     for (const { shown } of this.#meshes) {
@@ -223,8 +223,8 @@ export class Picture {
   make(size: Size, samples: number, share = 1): void {
     const { frame, scene } = this;
     this.settle();
-    this.place();
-    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit, share)) {
+    this.updateMatrices();
+    if (frame.update(this.fit.fov, size, samples, this.#version - this.#relit, share)) {
       this.levels.choose(frame, this.fit.measure().bounds);
     }
     frame.aim(scene, this.fit.depthBounds());

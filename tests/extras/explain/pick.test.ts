@@ -61,7 +61,7 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 /** From 3 away, along −z. */
 function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
   const view = new Frame(orbit);
-  view.look(45, { width: SIZE, height: SIZE });
+  view.update(45, { width: SIZE, height: SIZE });
   view.aim(scene, { center: [0, 0, 0], radius: 2 });
   return view;
 }
@@ -187,7 +187,7 @@ describe('the pick', () => {
     material.setSurface({ shininess: 7 });
     expect(look(snapshotThrough(view))?.depth).toBeCloseTo(depth - 1, 12);
     orbit.set({ theta: 90, radius: 7 });
-    view.look(45, { width: SIZE, height: SIZE });
+    view.update(45, { width: SIZE, height: SIZE });
     view.aim(scene, null);
     expect(before.frame.eye).toEqual(eye);
     const hit = look(snapshot)!;

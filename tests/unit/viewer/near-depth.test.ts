@@ -34,7 +34,7 @@ function nearOf(scene: Object3D, pose: Pose, fov = 45): number {
   const frame = new Frame(new Orbit(pose));
   scene.updateMatrixWorld();
   const center = [0, 0, 0] as const;
-  frame.look(fov, { width: WIDTH, height: HEIGHT });
+  frame.update(fov, { width: WIDTH, height: HEIGHT });
   frame.aim(scene, { center, radius: radiusOf(scene, center) });
   return frame.camera.near;
 }

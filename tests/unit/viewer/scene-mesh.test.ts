@@ -147,7 +147,7 @@ it('draws meshes in document order, whenever added or changed, and own objects l
   picture.scene.children.unshift(own);
   own.parent = picture.scene;
   const names = (): string => {
-    picture.place();
+    picture.updateMatrices();
     return picture.scene.children.map(({ name }) => name).join(' ');
   };
   expect(names()).toBe('0 1 2 own');

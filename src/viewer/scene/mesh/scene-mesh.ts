@@ -236,7 +236,7 @@ export class SceneMesh {
   /** Shows pose, place and style that the values say. */
   #settle(): void {
     this.#shown.animation?.update(this.values);
-    this.#shown.place();
+    this.#shown.moveToValues();
     this.restyle();
   }
 

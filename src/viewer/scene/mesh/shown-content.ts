@@ -147,8 +147,8 @@ export class ShownContent {
     }
   }
 
-  /** Puts it where the values say. */
-  place(): void {
+  /** Moves it to where the values say. */
+  moveToValues(): void {
     const { root } = this;
     if (root === null) return;
     const { name = '', position = ZERO, rotation = ZERO, scale = ONE } = this.#state.values;
