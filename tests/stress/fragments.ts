@@ -122,6 +122,18 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
   return shining(random, n, { normal, L, V });
 }
 
+/**
+ * A point for a light in direction L that float32 leaves as open as the contract allows: at
+ * {@link openDistance} its coordinates are just above a power of two, where float32 is coarsest.
+ */
+export const openPoint = (random: Random, L: Vec3): Vec3 =>
+  float32(
+    scale([Math.sign(L[0]), Math.sign(L[1]), Math.sign(L[2])], 1 - random.magnitude(1e-6, 0.01)),
+  );
+
+/** As near as such a light may be. */
+export const openDistance = (random: Random): number => BRANCHES.near * random.from(1, 1.2);
+
 interface Directions {
   readonly normal: Vec3;
   readonly L: Vec3;
@@ -130,11 +142,13 @@ interface Directions {
 
 /** The specular term alone under a white light from L, near or far, seen from V. */
 function shining(random: Random, n: number, { normal, L, V }: Directions): StressCase {
-  const p = float32(random.vector(-1, 1));
-  const eye = float32(add(p, scale(V, random.from(1, 5))));
-  const position = random.chance(0.5)
-    ? direction(scale(L, random.magnitude(0.01, 100)))
-    : place(add(p, scale(L, random.magnitude(0.02, 5))));
+  const isOpen = random.chance(0.3);
+  const p = isOpen ? openPoint(random, L) : float32(random.vector(-1, 1));
+  const eye = float32(add(p, scale(V, isOpen ? random.from(0.02, 0.1) : random.from(1, 5))));
+  const position =
+    !isOpen && random.chance(0.5)
+      ? direction(scale(L, random.magnitude(0.01, 100)))
+      : place(add(p, scale(L, isOpen ? openDistance(random) : random.magnitude(0.02, 5))));
   const light = lightWith({ position, diffuse: [0, 0, 0], specular: WHITE });
   return stressCase({ p, normal, eye }, white(n), [light]);
 }
@@ -177,9 +191,10 @@ export function spotOver(
   p: Vec3,
   angle: number,
   values: Partial<LightValues>,
+  toLight = scale(random.unit(), random.magnitude(0.05, 5)),
 ): LightValues {
-  const L = random.unit();
-  const at = add(p, scale(L, random.magnitude(0.05, 5)));
+  const L = normalize(toLight);
+  const at = add(p, toLight);
   const axis = scale(random.around(scale(L, -1), angle), random.magnitude(0.1, 10));
   const dark: Vec3 = [0, 0, 0];
   return lightWith({
