@@ -2,6 +2,7 @@
 // everything else is shared.
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
 import type { Content } from '../../phong/model/model.js';
+import { playable } from './mesh-animation.js';
 
 /**
  * Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index and
@@ -37,7 +38,7 @@ export function movingCopy(content: Content): Content {
   return {
     ...content,
     parts,
-    motion: {
+    motion: playable({
       ...motion,
       pose: (name, seconds) => {
         motion.pose(name, seconds);
@@ -46,7 +47,7 @@ export function movingCopy(content: Content): Content {
           copy.follow();
         }
       },
-    },
+    }),
     dispose: () => {
       for (const copy of copies.values()) {
         copy.dispose();

@@ -39,30 +39,8 @@ function disposeFlat({ target }: { readonly target: BufferGeometry }): void {
   made.get(target)?.dispose();
 }
 
-/**
- * Call when positions, tangents, index or bounds of `source` have changed: updates its flat copy,
- * if there is one.
- */
-export function updateFlatGeometry(source: BufferGeometry): void {
-  const flat = made.get(source);
-  if (!flat) return;
-  // Joints that mirror triangles turn them: their corners change places.
-  const isTurned = source.index !== null && flat.userData['order'] !== source.index.version;
-  const { attributes, userData } = separateTriangles(
-    source,
-    isTurned ? Object.keys(source.attributes) : ['position', 'tangent'],
-  );
-  flat.userData = userData;
-  for (const [name, { array }] of Object.entries(attributes)) {
-    const own = flat.getAttribute(name) as BufferAttribute;
-    own.array.set(array);
-    own.needsUpdate = true;
-  }
-  flat.boundingBox = source.boundingBox;
-  flat.boundingSphere = source.boundingSphere;
-}
-
-function separateTriangles(
+/** Some attributes of the triangles that {@link flatGeometry} shows, and their normals. */
+export function separateTriangles(
   { attributes, index }: BufferGeometry,
   names: readonly string[],
 ): BufferGeometry {

@@ -1,10 +1,11 @@
 // What a mesh shows, a built-in shape or a loaded model of any format, and why a model cannot be
 // shown.
-import type { BufferGeometry, Matrix4 } from 'three';
+import type { BufferGeometry, Matrix4, Mesh, Object3D } from 'three';
 import type { Sides } from '../material/back-faces.js';
 import type { BaseLook } from '../material/file-surface.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import type { GeometrySize } from '../geometry/geometry-size.js';
+import type { ShapeValues } from './mesh-fields.js';
 
 /** What a mesh shows. Readers of files and built-in shapes make it, the scene draws it. */
 export interface Content {
@@ -73,6 +74,34 @@ export interface Motion {
    * signal's reason after an abort.
    */
   reach(name: string, signal: AbortSignal): Promise<GeometrySize | null>;
+  /** What {@link reach} has found; undefined before that. */
+  knownReach(name: string): GeometrySize | null | undefined;
+  /** Goes on from the pose at 0 seconds, which is there already. */
+  play(values: AnimationValues, shown: AnimatedContent): PlayedAnimation;
+}
+
+export type AnimationValues = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
+
+/** What an animation moves. */
+export interface AnimatedContent {
+  readonly parts: readonly { readonly mesh: Mesh; readonly source: ContentPart }[];
+  readonly root: Object3D | null;
+  /** `reshaped`: `auto` is to frame something else. */
+  readonly picture: { reshaped(): void };
+}
+
+/** The pose that a mesh's content shows: that of an animation at a time, or its own. */
+export interface PlayedAnimation {
+  /** It would play if motion were allowed. */
+  readonly plays: boolean;
+  /** Steps of each pose. */
+  readonly work: number;
+  /** Starts another animation, or ends the present one, if the values say so. */
+  update(values: AnimationValues): void;
+  advance(seconds: number): void;
+  /** Brings the parts into the present pose. */
+  pose(): void;
+  dispose(): void;
 }
 
 type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'no-scene';

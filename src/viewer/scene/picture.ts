@@ -24,7 +24,7 @@ import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from '../../phong/geometry/bounds.js';
 import { Frame } from './frame.js';
 import type { Region, Size } from '../../phong/math/region.js';
-import { Animations } from './mesh/animation.js';
+import { Animations } from './mesh/animations.js';
 import { Levels } from './mesh/levels.js';
 import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';

@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { LIMITS } from '../../../src/phong/model/limits.js';
-import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
+import { Animations } from '../../../src/viewer/scene/mesh/animations.js';
 import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
 import { sizeOf } from '../../../src/phong/geometry/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';

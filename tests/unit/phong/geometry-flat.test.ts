@@ -6,7 +6,8 @@ import {
   InterleavedBufferAttribute,
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { flatGeometry, updateFlatGeometry } from '../../../src/phong/material/flat-geometry.js';
+import { updateFlatGeometry } from '../../../src/extras/models/mesh-animation.js';
+import { flatGeometry } from '../../../src/phong/material/flat-geometry.js';
 
 const TRIANGLE = [0, 0, 0, 2, 0, 0, 0, 3, 0];
 
@@ -50,7 +51,7 @@ describe('flatGeometry', () => {
     // Joints that mirror a triangle turn it.
     source.index!.array.set([0, 2, 1]);
     source.index!.needsUpdate = true;
-    updateFlatGeometry(source);
+    updateFlatGeometry(flat, source);
     expect(listed(flat, 'uv')).toEqual([0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1]);
   });
 

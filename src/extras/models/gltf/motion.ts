@@ -6,6 +6,7 @@ import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { LIMITS } from '../../../phong/model/limits.js';
 import type { Content, ContentPart } from '../../../phong/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
+import { playable } from '../mesh-animation.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
 import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js';
@@ -211,7 +212,7 @@ function motionOf(
     }
     return sizeOfVertices(reach.vertices);
   };
-  return {
+  return playable({
     names: clips.map(({ name }) => name),
     work,
     durationOf: (name) => clipOf(name).duration,
@@ -226,7 +227,8 @@ function motionOf(
       reaches.set(one, size);
       return size;
     },
-  };
+    knownReach: (name) => reaches.get(clipOf(name)),
+  });
 }
 
 /** The times of the keyframes of all tracks, in order. */

@@ -1,12 +1,8 @@
 // The three.js meshes that show a content, with their geometries and surfaces.
 import { type BufferGeometry, Group, Mesh, type Object3D } from 'three';
-import {
-  flatGeometry,
-  forgetFlatGeometry,
-  updateFlatGeometry,
-} from '../../../phong/material/flat-geometry.js';
+import { flatGeometry, forgetFlatGeometry } from '../../../phong/material/flat-geometry.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
-import { hasMovingVertices, shareSize, sizeOf } from '../../../phong/geometry/geometry-size.js';
+import { shareSize, sizeOf } from '../../../phong/geometry/geometry-size.js';
 import type { Claim, Need } from '../../../phong/model/budget.js';
 import type { Content, ContentPart } from '../../../phong/model/model.js';
 import type { MeshState } from '../../../phong/model/mesh-fields.js';
@@ -141,14 +137,4 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
     group.add(mesh);
   }
   return group;
-}
-
-export function followPose(parts: readonly Part[]): void {
-  for (const { mesh, source } of parts) {
-    mesh.matrix.copy(source.matrix);
-    mesh.matrixWorldNeedsUpdate = true;
-    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) {
-      updateFlatGeometry(source.geometry);
-    }
-  }
 }

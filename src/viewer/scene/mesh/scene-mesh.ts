@@ -7,7 +7,7 @@ import type { Budget, Claim, Need } from '../../../phong/model/budget.js';
 import { isOutOfMemory } from '../../../phong/model/limits.js';
 import { type Content, ModelError } from '../../../phong/model/model.js';
 import { modelCode } from '../../model/request-model.js';
-import { type Animations, measureReach } from './animation.js';
+import type { Animations } from './animations.js';
 import { ContentLoad, type LoadHost } from './content-load.js';
 import type { MeshState, ShapeValues } from '../../../phong/model/mesh-fields.js';
 import { appearanceOf } from '../../../phong/model/appearance.js';
@@ -164,7 +164,10 @@ export class SceneMesh {
   /** For its load: makes the materials before {@link arrived}, in slices: thousands take long. */
   async prepare({ parts, motion }: Content, signal: AbortSignal): Promise<void> {
     this.#letGo();
-    await measureReach(motion, this.values, signal);
+    const { autoplay, animationName } = this.values;
+    if (autoplay) {
+      await motion?.reach(animationName, signal);
+    }
     if (parts.length < MANY_PARTS) return;
     const { Slices } = await modelCode();
     const slices = new Slices(signal);

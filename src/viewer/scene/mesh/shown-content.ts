@@ -5,8 +5,7 @@ import { radians } from '../../../phong/math/angle.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import type { Shading, ShadingStyle } from '../../../phong/material/material-values.js';
 import type { Claim, Need } from '../../../phong/model/budget.js';
-import type { Content } from '../../../phong/model/model.js';
-import { MeshAnimation, poseFirst } from './animation.js';
+import type { Content, PlayedAnimation } from '../../../phong/model/model.js';
 import type { MeshState, MeshValues, ShapeValues } from '../../../phong/model/mesh-fields.js';
 import { appearanceOf } from '../../../phong/model/appearance.js';
 import { geometriesOf, type Part, partsOf, releaseParts, rootOf, setGeometries } from './parts.js';
@@ -42,7 +41,7 @@ export class ShownContent {
   /** A three.js mesh, or a group where there are several parts. Null where there is nothing. */
   readonly root: Object3D | null;
   /** Null where nothing in it moves. */
-  readonly animation: MeshAnimation | null;
+  readonly animation: PlayedAnimation | null;
   /** The shape that has automatic segments; null where it is anything else. */
   readonly auto: GeometryName | null;
   /** Where a model came from; null for a shape. */
@@ -81,11 +80,14 @@ export class ShownContent {
     const auto = (this.auto = isAuto && content.parts[0]?.name === geometry ? geometry : null);
     this.#level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
     const shading = (this.#shading = shadingOf(state, picture));
-    poseFirst(motion, values);
+    // Before anything measures the content.
+    if (values.autoplay) {
+      motion?.pose(values.animationName, 0);
+    }
     const geometries = geometriesOf(content, shading === 'flat', auto === null ? claim : null);
     this.parts = partsOf(content, geometries, picture.materials, state);
     this.root = rootOf(this.parts, motion !== null);
-    this.animation = motion === null ? null : new MeshAnimation(motion, values, this);
+    this.animation = motion?.play(values, this) ?? null;
   }
 
   /** What a model is shown without, by the names in it. */
