@@ -276,6 +276,12 @@ const ordinaryCategories = categories({
  * alone.
  */
 function spot(random: Random, angle: number, values: Partial<LightValues>): StressCase {
+  if (random.chance(0.3)) {
+    const L = random.unit();
+    const p = openPoint(random, L);
+    const light = spotOver(random, p, angle, values, scale(L, openDistance(random)));
+    return stressCase({ p, normal: p, eye: scale(p, 0.5) }, white(1), [light]);
+  }
   const fragment = seen(random);
   return stressCase(fragment, white(1), [spotOver(random, fragment.p, angle, values)]);
 }
@@ -283,12 +289,7 @@ function spot(random: Random, angle: number, values: Partial<LightValues>): Stre
 /** cutoff·(1 - c)/2 from 1e-3, where the decay begins, to 30, where it has ended. */
 function nearAxis(random: Random, least: number, largest: number): StressCase {
   const cutoff = random.magnitude(least, largest);
-  const angle = chordAngle((2 * random.magnitude(1e-3, 30)) / cutoff);
-  if (random.chance(0.7)) return spot(random, angle, { cutoff });
-  const L = random.unit();
-  const p = openPoint(random, L);
-  const light = spotOver(random, p, angle, { cutoff }, scale(L, openDistance(random)));
-  return stressCase({ p, normal: p, eye: scale(p, 0.5) }, white(1), [light]);
+  return spot(random, chordAngle((2 * random.magnitude(1e-3, 30)) / cutoff), { cutoff });
 }
 
 /** Straight behind the spot, or up to 0.1 rad from there. */

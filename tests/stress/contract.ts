@@ -20,10 +20,13 @@ import type { StressCase, Variant } from './case.js';
  * A light's position is rounded by 2^-24 of each coordinate, √(8/3) times that across L, over a
  * distance of BRANCHES.near: 4.9e-6. A lobe's slope is at most √(n/e), a decay's 0.43·√cutoff. At
  * 1e6 that makes 0.75 and 0.53; N, V and the axis add up to a tenth of it.
+ *
+ * `smallExponent`: exponents below 1 are steepest where the branches begin, a lobe's 53 at
+ * BRANCHES.lobe and a decay's 49 at BRANCHES.back: 0.066 and 0.061.
  */
 export const BOUNDS = {
   generic: 0.05,
-  smallExponent: 0.05,
+  smallExponent: 0.075,
   mildPower: 0.125,
   shininess1e4: 0.1,
   shininess1e5: 0.35,
