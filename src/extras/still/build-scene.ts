@@ -1,5 +1,5 @@
 // From declared values to a scene for the ray caster: what a viewer of this size shows at first.
-import { Matrix4, Mesh, Scene } from 'three';
+import { Matrix4, Mesh, Scene, Vector3 } from 'three';
 import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightState, LightValues, Term } from '../../phong/light/light-state.js';
 import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
@@ -206,12 +206,12 @@ function matrixOf({ position, rotation, scale }: MeshState['values']): Matrix4 {
   const [a, b] = [cosDegrees(x), sinDegrees(x)];
   const [c, d] = [cosDegrees(y), sinDegrees(y)];
   const [e, f] = [cosDegrees(z), sinDegrees(z)];
-  const [sx, sy, sz] = scale ?? [1, 1, 1];
-  const [px, py, pz] = position ?? ZERO;
   return new Matrix4(
-    ...[sx * c * e, sy * -c * f, sz * d, px],
-    ...[sx * (a * f + b * e * d), sy * (a * e - b * f * d), sz * -b * c, py],
-    ...[sx * (b * f - a * e * d), sy * (b * e + a * f * d), sz * a * c, pz],
+    ...[c * e, -c * f, d, 0],
+    ...[a * f + b * e * d, a * e - b * f * d, -b * c, 0],
+    ...[b * f - a * e * d, b * e + a * f * d, a * c, 0],
     ...[0, 0, 0, 1],
-  );
+  )
+    .scale(new Vector3(...(scale ?? [1, 1, 1])))
+    .setPosition(...(position ?? ZERO));
 }

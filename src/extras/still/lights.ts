@@ -5,10 +5,11 @@ import { LEAST_EXPONENT, NEAREST } from '../../phong/light/precision.js';
 import { cosDegrees, radians } from '../../phong/math/angle.js';
 import { srgbDecode } from '../../phong/math/color.js';
 import { atan2 } from '../../phong/math/elementary.js';
-import { add, map, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { map, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { EDGE, power } from '../../phong/reference/equation.js';
 import type { LightValues } from '../../phong/reference/index.js';
 import type { CastCamera } from './cast-scene.js';
+import { turned } from './placed.js';
 
 interface Prepared {
   readonly positional: boolean;
@@ -150,16 +151,16 @@ function prepared(
 ): Prepared {
   const [x, y, z, w] = light.position;
   const positional = w === 1;
-  const turned = ([a, b, c]: Vec3): Vec3 => add(add(scale(right, a), scale(up, b)), scale(back, c));
+  const axes = { x: right, y: up, z: back, origin: eye };
   const ofCamera = light.space === 'camera';
-  const given: Vec3 = ofCamera ? turned([x, y, z]) : [x, y, z];
+  const given: Vec3 = ofCamera ? turned(axes, [x, y, z]) : [x, y, z];
   const color = (c255: Vec3): Vec3 =>
     map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
   const isSpot = light.aperture < 180 || light.cutoff >= LEAST_EXPONENT;
   return {
     positional,
     place: !positional ? normalize(given) : ofCamera ? given : subtract(given, eye),
-    axis: isSpot ? normalize(ofCamera ? turned(light.axis) : light.axis) : [0, 0, 0],
+    axis: isSpot ? normalize(ofCamera ? turned(axes, light.axis) : light.axis) : [0, 0, 0],
     cosine: cosDegrees(light.aperture),
     aperture: radians(light.aperture),
     cutoff: light.cutoff,

@@ -1,6 +1,6 @@
 // By pixel: the things that its rays may meet, so that most need not be asked. The nearest come
 // first, so that a ray ends its search where all others are farther than what it has met.
-import type { Vec3 } from '../../phong/math/vector.js';
+import { length, type Vec3 } from '../../phong/math/vector.js';
 import type { Screen } from './screen.js';
 
 /** Pixels by which boxes are larger than they are, for the rounding of their corners. */
@@ -53,7 +53,7 @@ export class PixelLists {
       const { x, y, depth } = this.#screen.project(corner);
       near = Math.min(near, depth);
       far = Math.max(far, depth);
-      unsure ||= depth <= LEAST_DEPTH * Math.max(...corner.map(Math.abs));
+      unsure ||= depth <= LEAST_DEPTH * length(corner);
       left = Math.min(left, x);
       right = Math.max(right, x);
       top = Math.min(top, y);

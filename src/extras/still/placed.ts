@@ -67,7 +67,7 @@ function placedTriangles(
   const mirrored = dot(x, cofactors.x) < 0;
   return {
     kind: 'triangles',
-    places: eachOf(positions, 3, (v) => moved(matrix, v)),
+    places: eachOf(positions, 3, (v) => add(matrix.origin, turned(matrix, v))),
     normals: eachOf(normals, 3, (v) => unit(turned(cofactors, v), mirrored ? -1 : 1)),
     tangents: eachOf(tangents, 4, (v) => unit(turned(matrix, v))),
     mirrored,
@@ -91,7 +91,7 @@ function placedTrue({ kind }: TrueShape, matrix: Vec3Matrix): PlacedTrueShape {
     toWorld: { x: a, y: b, z: c, origin },
     eye: turned(toShape, scale(origin, -1)),
     cube: Array.from({ length: 8 }, (_, k) =>
-      [x, y, z].reduce((sum, axis, i) => add(sum, scale(axis, ((k >> i) & 1) - 0.5)), origin),
+      add(origin, turned(matrix, [(k & 1) - 0.5, ((k >> 1) & 1) - 0.5, (k >> 2) - 0.5])),
     ),
   };
 }
@@ -106,10 +106,7 @@ export const vectorAt = (list: ArrayLike<number>, i: number): Vec3 => [
 function eachOf(list: ArrayLike<number>, size: number, of: (v: Vec3) => Vec3): Float64Array {
   const out = new Float64Array((3 * list.length) / size);
   for (let i = 0; 3 * i < out.length; i++) {
-    const v = of(vectorAt(list, size * i));
-    for (let k = 0; k < 3; k++) {
-      out[3 * i + k] = v[k as 0];
-    }
+    out.set(of(vectorAt(list, size * i)), 3 * i);
   }
   return out;
 }
@@ -119,13 +116,6 @@ export const turned = ({ x, y, z }: Vec3Matrix, v: Vec3): Vec3 => [
   x[0] * v[0] + y[0] * v[1] + z[0] * v[2],
   x[1] * v[0] + y[1] * v[1] + z[1] * v[2],
   x[2] * v[0] + y[2] * v[1] + z[2] * v[2],
-];
-
-/** A place through a matrix. */
-const moved = ({ x, y, z, origin }: Vec3Matrix, [a, b, c]: Vec3): Vec3 => [
-  origin[0] + x[0] * a + y[0] * b + z[0] * c,
-  origin[1] + x[1] * a + y[1] * b + z[1] * c,
-  origin[2] + x[2] * a + y[2] * b + z[2] * c,
 ];
 
 /** The unit vector, times `side`. Zero stays zero. */

@@ -63,7 +63,7 @@ export class Tracer {
   /** Where a hit is written before it is known to count. */
   #next = new Hit();
   /** The blended surfaces on the last ray. */
-  #layers: Hit[] = [];
+  readonly #layers: Hit[] = [];
   readonly #point = new SurfacePoint();
   readonly #color: [number, number, number] = [0, 0, 0];
 
@@ -152,11 +152,9 @@ export class Tracer {
     const { starts, things, nears } = this.#lists;
     const end = starts[row * width + column + 1]!;
     this.#d = this.screen.direction(x, y);
-    if (this.#layers.length > 0) {
-      this.#layers = [];
-    }
+    this.#layers.length = 0;
     this.#hit.t = Infinity;
-    const [dx, dy, dz] = [this.#d[0], this.#d[1], this.#d[2]];
+    const [dx, dy, dz] = this.#d;
     const volumes = this.#volumes;
     let most = Infinity;
     for (let i = starts[row * width + column]!; i < end; i++) {
@@ -236,9 +234,7 @@ export class Tracer {
     surface.at(hit, point);
     let piece = 2 * hit.object + Number(hit.front) + 1;
     if (quantity === undefined && material.unlit === true) {
-      for (let i = 0; i < 3; i++) {
-        color[i as 0] = point.base[i as 0];
-      }
+      color.splice(0, 3, ...point.base);
     } else {
       let sums: Float64Array = this.#lights.sums;
       if (quantity === undefined && material.shading === 'gouraud' && hit.triangle >= 0) {

@@ -11,7 +11,7 @@ const RING = 0.35;
 const TUBE = 0.15;
 
 export const trueShape = (kind: TrueShape['kind']): Intersect =>
-  ({ sphere, cylinder, cone, torus })[kind];
+  ({ sphere, cylinder: tapered(RADIUS), cone: tapered(0), torus })[kind];
 
 /** The place at `t` on a ray. */
 const at = (o: Vec3, d: Vec3, t: number): Vec3 => add(o, scale(d, t));
@@ -39,13 +39,6 @@ const sphere: Intersect = (o, d, hit) => {
   return [middle - half, middle + half].some((t) => offer(hit, t, d, at(o, d, t)));
 };
 
-/** A flat end at the top or bottom, whose normal points up or down. */
-function end(up: 1 | -1, o: Vec3, d: Vec3, hit: Hit): boolean {
-  const t = (up * HALF_HEIGHT - o[1]) / d[1];
-  const [x, , z] = at(o, d, t);
-  return x * x + z * z <= RADIUS * RADIUS && offer(hit, t, d, [0, up, 0]);
-}
-
 /** Roots of a t² + 2 b t + c, in ascending order. */
 function forQuadratic(a: number, b: number, c: number, offered: (t: number) => boolean): boolean {
   const discriminant = b * b - a * c;
@@ -56,35 +49,30 @@ function forQuadratic(a: number, b: number, c: number, offered: (t: number) => b
   return offered(Math.max(first, second)) || near;
 }
 
-const cylinder: Intersect = (o, d, hit) => {
-  const [ox, , oz] = o;
-  const [dx, , dz] = d;
-  const c = ox * ox + oz * oz - RADIUS * RADIUS;
-  const side = forQuadratic(dx * dx + dz * dz, ox * dx + oz * dz, c, (t) => {
-    const [x, y, z] = at(o, d, t);
-    return Math.abs(y) <= HALF_HEIGHT && offer(hit, t, d, [x, 0, z]);
-  });
-  const top = end(1, o, d, hit);
-  return end(-1, o, d, hit) || top || side;
-};
-
-/** The apex is at the top: x² + z² = (k (h − y))². */
-const cone: Intersect = (o, d, hit) => {
-  const slope = RADIUS / (2 * HALF_HEIGHT);
-  const k = slope * slope;
-  const [ox, oy, oz] = o;
-  const [dx, dy, dz] = d;
-  const below = HALF_HEIGHT - oy;
-  const a = dx * dx + dz * dz - k * dy * dy;
-  const b = ox * dx + oz * dz + k * below * dy;
-  const c = ox * ox + oz * oz - k * below * below;
-  const side = forQuadratic(a, b, c, (t) => {
-    const [x, y, z] = at(o, d, t);
-    if (!(Math.abs(y) <= HALF_HEIGHT)) return false; // the other half of the double cone, too
-    return offer(hit, t, d, [x, k * (HALF_HEIGHT - y), z]);
-  });
-  return end(-1, o, d, hit) || side;
-};
+/** x² + z² = (top + slope (h − y))², with flat ends. `top`: the radius there. */
+const tapered =
+  (top: number): Intersect =>
+  (o, d, hit) => {
+    const slope = (RADIUS - top) / (2 * HALF_HEIGHT);
+    const [ox, oy, oz] = o;
+    const [dx, dy, dz] = d;
+    const radius = (y: number): number => top + slope * (HALF_HEIGHT - y);
+    const width = radius(oy);
+    const a = dx * dx + dz * dz - slope * slope * dy * dy;
+    const b = ox * dx + oz * dz + slope * width * dy;
+    let met = forQuadratic(a, b, ox * ox + oz * oz - width * width, (t) => {
+      const [x, y, z] = at(o, d, t);
+      if (!(Math.abs(y) <= HALF_HEIGHT)) return false; // the other half of the double cone, too
+      return offer(hit, t, d, [x, slope * radius(y), z]);
+    });
+    for (const up of [1, -1]) {
+      const t = (up * HALF_HEIGHT - oy) / dy;
+      const [x, , z] = at(o, d, t);
+      const r = radius(up * HALF_HEIGHT);
+      met = (x * x + z * z <= r * r && offer(hit, t, d, [0, up, 0])) || met;
+    }
+    return met;
+  };
 
 const roots = new Float64Array(4);
 

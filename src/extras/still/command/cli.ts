@@ -51,7 +51,7 @@ async function run(args: readonly string[]): Promise<number> {
     throw new UsageError(
       command === undefined
         ? 'Say what to do: still or check.'
-        : `There is no command ${quoted(command)}.`,
+        : `There is no command ${JSON.stringify(command)}.`,
     );
   }
   if (files.length === 0) throw new UsageError('Name the pages: phong-viewer still index.html.');
@@ -95,7 +95,7 @@ function readArguments(args: readonly string[]) {
 function sizeFrom(text: string): Size {
   const [, width, height] = /^([1-9]\d{0,4})x([1-9]\d{0,4})$/i.exec(text) ?? [];
   if (height === undefined) {
-    throw new UsageError(`--size takes pixels such as 760x420, not ${quoted(text)}.`);
+    throw new UsageError(`--size takes pixels such as 760x420, not ${JSON.stringify(text)}.`);
   }
   return { width: Number(width), height: Number(height) };
 }
@@ -103,10 +103,8 @@ function sizeFrom(text: string): Size {
 function scaleFrom(text: string): number {
   const scale = Number(text);
   if (text.trim() !== '' && scale > 0 && scale <= 8) return scale;
-  throw new UsageError(`--scale takes a number above 0, 8 at most, not ${quoted(text)}.`);
+  throw new UsageError(`--scale takes a number above 0, 8 at most, not ${JSON.stringify(text)}.`);
 }
-
-const quoted = (text: string): string => JSON.stringify(text);
 
 try {
   process.exitCode = await run(process.argv.slice(2));
