@@ -4,7 +4,7 @@ import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightState, LightValues, Term } from '../../phong/light/light-state.js';
 import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { length, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { fitTo } from '../../phong/geometry/framing.js';
 import { chosenLights, unknownLightText } from '../../phong/material/view/view-light.js';
 import { type Quantity, viewEntry } from '../../phong/material/view/view-table.js';
@@ -27,7 +27,7 @@ import type {
 import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
-import { columnsOf, countOf, isFlattened } from './placed.js';
+import { columnsOf, countOf, isFlattened, type Vec3Matrix } from './placed.js';
 import { Screen } from './screen.js';
 import { measure } from '../../phong/geometry/bounds.js';
 import { type Frustum } from '../../phong/geometry/frustum-clip.js';
@@ -125,7 +125,7 @@ async function partsOf(
 async function objectOf(
   { state, part, shape: name, object }: PlacedPart,
   viewer: Readonly<ViewerValues>,
-  { view: frustum, pixels }: Seen,
+  seen: Seen,
 ): Promise<CastObject> {
   const { look, surface, sides, ...own } = appearanceOf(state, part);
   const shading = own.shading ?? viewer.shading;
@@ -136,9 +136,9 @@ async function objectOf(
     const { segments } = state.values;
     const fine =
       segments === 'auto' && shading === 'phong'
-        ? sampledSegments(frustum, pixels, name, matrix)
+        ? sampledSegments(seen.view, seen.pixels, name, matrix)
         : null;
-    if (fine !== null && isTrue(name) && !isFlattened(columnsOf(matrix))) {
+    if (fine !== null && isTrue(name) && !isThin(columnsOf(matrix), seen)) {
       shape = { kind: name };
     } else if (fine !== null || segments !== 'auto') {
       const count = fine ?? Number(segments);
@@ -175,6 +175,19 @@ interface Seen {
 }
 
 const ZERO: Vec3 = [0, 0, 0];
+
+/**
+ * A true shape that is thinner may hide between the points of a pixel, where triangles do not. Its
+ * tube is 0.3 of a torus.
+ */
+const LEAST_PIXELS = 4;
+
+/** Without an inverse, or so thin at its middle's distance. */
+function isThin(columns: Vec3Matrix, { view: { frame }, pixels }: Seen): boolean {
+  const { x, y, z, origin } = columns;
+  const least = (LEAST_PIXELS / pixels) * length(subtract(origin, frame.eye));
+  return isFlattened(columns) || [x, y, z].some((axis) => length(axis) < least);
+}
 
 const isTrue = (name: GeometryName): name is TrueShape['kind'] =>
   ['sphere', 'cylinder', 'cone', 'torus'].includes(name);

@@ -1,6 +1,15 @@
 // What a ray from the eye sees of a scene: the nearest surfaces, and their colour by the equation.
 import { srgbEncode } from '../../phong/math/color.js';
-import { clamp, cross, dot, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import {
+  add,
+  clamp,
+  cross,
+  dot,
+  map,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../phong/math/vector.js';
 import type { CastObject, CastScene } from './cast-scene.js';
 import { Hit } from './hit.js';
 import { LightSums } from './lights.js';
@@ -128,6 +137,32 @@ export class Tracer {
     const pixel = row * this.screen.width + column;
     const { starts } = this.#lists;
     return starts[pixel]! < starts[pixel + 1]!;
+  }
+
+  /**
+   * Whether a triangle of another object may show in a pixel, before what the ray through its middle
+   * meets. Only of objects whose every hit counts.
+   */
+  isCrossed(column: number, row: number): boolean {
+    const { object, t } = this.#trace(column + 0.5, row + 0.5);
+    const corners = [0, 1, 2, 3].map((k) =>
+      this.screen.direction(column + (k & 1), row + (k >> 1)),
+    );
+    const { starts, things } = this.#lists;
+    const pixel = row * this.screen.width + column;
+    return things.subarray(starts[pixel], starts[pixel + 1]).some((thing) => {
+      const other = this.#objects[thing]!;
+      if (other === object || this.#accepts[other] !== undefined) return false;
+      const at = STRIDE * thing;
+      const edges = [0, 3, 6].map((k) => vectorAt(this.#volumes, at + k));
+      const volume = this.#volumes[at + 9]!; // 0 of a true shape: it reaches nothing
+      const reaches = (v: Vec3, least: number): boolean =>
+        corners.some((corner) => volume * dot(v, corner) > least);
+      // Inside each edge, and nearer, at a corner: all four are linear.
+      return (
+        edges.every((edge) => reaches(edge, 0)) && reaches(edges.reduce(add), (volume * volume) / t)
+      );
+    });
   }
 
   /**

@@ -152,10 +152,6 @@ describe('a still’s pixel', () => {
     expect(await pixelOf('', lit('box') + fromSide(35, DULL))).toEqual(grey(KD * cos(35)));
   });
 
-  it('is transparent in a torus’s hole', async () => {
-    expect(await pixelOf('', lit('torus') + fromSide(0, DULL))).toEqual([0, 0, 0, 0]);
-  });
-
   it.each([
     [MIDDLE, MIDDLE],
     [25, 17],

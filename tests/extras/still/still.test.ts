@@ -48,6 +48,19 @@ describe('a still', () => {
     expect(pixels.some((code, i) => i % 4 === 0 && code > 0)).toBe(false);
   });
 
+  it.each([
+    ['box', 'scale="2 0.01 0.01" rotation="0 0 3"', 0.02],
+    ['cylinder', 'scale="0.01 2 0.01" rotation="0 0 33"', 0.02],
+    ['sphere', 'scale="0.02"', Math.PI / 1e4],
+  ])('shows a %s thinner than a pixel before a wall, by its area', async (name, size, area) => {
+    const thin = `<phong-mesh geometry="${name}" ${size} kd="0" position="0.03 0.04 1"></phong-mesh>`;
+    const wall = WALL.replace('>', ' scale="9" kd="255">');
+    const { pixels } = await draw(front(wall + thin, ''));
+    const dark = pixels.reduce((sum, code, i) => sum + (i % 4 === 0 ? 1 - code / 255 : 0), 0);
+    const pixel = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
+    expect((dark * pixel ** 2) / area).toBeCloseTo(1, 0.7);
+  });
+
   it('interpolates the corners’ sums under Gouraud shading', async () => {
     const lamp = '<phong-light position="0.5 0.5 1" specular="0"></phong-light>';
     const { middle } = await draw(front(WALL, 'fov="1" shading="gouraud"', lamp));
