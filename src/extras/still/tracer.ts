@@ -220,8 +220,8 @@ export class Tracer {
       }
       if (!(next.t <= most) || this.#accepts[next.object]?.(next) === false) continue;
       // Where two coincide, the last one shows.
-      if (next.t === most && thing < hit.thing) continue;
-      most = next.t;
+      if (thing < hit.thing && next.t * ROUNDED >= hit.t) continue;
+      most = next.t * ROUNDED;
       this.#hit = next;
       this.#next = hit;
     }
@@ -340,6 +340,9 @@ export class Tracer {
 
 /** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
 const STRIDE = 10;
+
+/** Surfaces in one plane are met at depths that differ by rounding: less than this. */
+const ROUNDED = 1 + 1e-12;
 
 /** Scratch for one hit. */
 const mixed = new Float64Array(9);

@@ -40,13 +40,18 @@ describe('a still', () => {
     expect(at(1, MIDDLE)[3]).toBe(255);
   });
 
-  it.each(['box', 'sphere', 'cylinder', 'torus-knot'])('shows the last %s of two', async (name) => {
-    const [red, blue] = ['255 0 0', '0 0 255'].map(
-      (color) => `<phong-mesh geometry="${name}" ka="0" ks="0" kd="${color}"></phong-mesh>`,
-    );
-    const { pixels } = await draw(`<phong-viewer>${red}${blue}</phong-viewer>`);
-    expect(pixels.some((code, i) => i % 4 === 0 && code > 0)).toBe(false);
-  });
+  // The second box has faces in the planes of the last one's.
+  it.each(['box', 'box" scale="0.7 0.6 1', 'sphere', 'cylinder', 'torus-knot'])(
+    'shows the last %s of two',
+    async (name) => {
+      const [red, blue] = [name, name.split('"')[0]!].map(
+        (shape, i) =>
+          `<phong-mesh geometry="${shape}" ka="0" ks="0" kd="${['255 0 0', '0 0 255'][i]!}"></phong-mesh>`,
+      );
+      const { pixels } = await draw(`<phong-viewer>${red}${blue}</phong-viewer>`);
+      expect(pixels.some((code, i) => i % 4 === 0 && code > 0)).toBe(false);
+    },
+  );
 
   it.each([
     ['box', 'scale="2 0.01 0.01" rotation="0 0 3"', 0.02],
