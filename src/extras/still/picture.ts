@@ -59,7 +59,7 @@ export function castRows(
         top.isAll(piece, column) &&
         bottom.isAll(piece, column) &&
         (piece === NOTHING || !tracer.isCrossed(column, row));
-      const mayHide = tracer.hasNarrowLobes || piece === NOTHING;
+      const mayHide = piece === NOTHING || tracer.isNarrow;
       if (!isSmooth || mayHide || !bySimpson(top, middle, bottom, column)) {
         castPixel(tracer, column, row, samples, isSmooth, piece);
       }

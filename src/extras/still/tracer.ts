@@ -49,8 +49,6 @@ const LARGEST_WIDE_EXPONENT = 64;
 
 export class Tracer {
   readonly screen: Screen;
-  /** A highlight may be narrower than the points of a pixel are apart. */
-  readonly hasNarrowLobes: boolean;
   readonly #scene: CastScene;
   readonly #lights: LightSums;
   readonly #surfaces: readonly ObjectSurface[];
@@ -80,9 +78,6 @@ export class Tracer {
     const { objects, camera, lights, linear = false } = scene;
     this.#scene = scene;
     this.screen = new Screen(camera, width, height);
-    this.hasNarrowLobes = objects.some(
-      ({ material }) => material.shininess > LARGEST_WIDE_EXPONENT,
-    );
     this.#lights = new LightSums(lights, camera, linear);
     const { eye, back } = camera;
     const depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
@@ -137,6 +132,14 @@ export class Tracer {
     const pixel = row * this.screen.width + column;
     const { starts } = this.#lists;
     return starts[pixel]! < starts[pixel + 1]!;
+  }
+
+  /** The last ray has met a surface whose highlight may be narrower than the points are apart. */
+  get isNarrow(): boolean {
+    return [...this.#layers, this.#hit].some(
+      ({ t, object }) =>
+        t < Infinity && this.#scene.objects[object]!.material.shininess > LARGEST_WIDE_EXPONENT,
+    );
   }
 
   /**
