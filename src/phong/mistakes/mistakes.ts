@@ -1,12 +1,13 @@
 // The usual mistakes in Phong's equation, one entry each: the steps that are written wrongly, in
 // the forms in which people make them, and the sentence that says what is wrong. A sentence fits
 // all forms of its mistake: up or down, one factor or all.
-import type { Term } from '../light/light-state.js';
+import { type Term, TERMS } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import {
   add,
   clamp,
   dot,
+  length,
   multiply,
   negate,
   normalize,
@@ -44,6 +45,10 @@ const attenuated = (
 ): Pick<Steps, 'att'> => ({
   att: (so, given) => (isPositional(given) ? 1 / denominator(so, given) : 1),
 });
+
+/** kc + kl·d + kq·d, or with 2d for d². */
+const unsquared = ({ d }: Readonly<Values>, { light: { attenuation: k } }: Given, by = 1): number =>
+  k[0] + (k[1] + by * k[2]) * d;
 
 /** The cone with its edge at another angle, in radians, found by the angle or by its cosine. */
 const coned = (
@@ -97,14 +102,15 @@ const SOME_TERMS: readonly (readonly Term[])[] = [
 ];
 
 /** Cosines may be kept below 1: some cosines of long vectors are above it. */
+const cappedLambert: Form = { lambert: ({ NoL }) => clamp(NoL, 0, 1) };
+const cappedLobe: Form = {
+  lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess),
+};
 const capped: readonly Form[] = [
   {},
-  { lambert: ({ NoL }) => clamp(NoL, 0, 1) },
-  { lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess) },
-  {
-    lambert: ({ NoL }) => clamp(NoL, 0, 1),
-    lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess),
-  },
+  cappedLambert,
+  cappedLobe,
+  { ...cappedLambert, ...cappedLobe },
 ];
 
 /** With the exponent that makes the highlight about as large as with the other cosine. */
@@ -127,7 +133,7 @@ const specularPlus: Form = {
 const scaled = (full: number): Form => ({ full: () => full });
 
 /** One term times a number. */
-const termScaled = (term: 'ambient' | 'diffuse' | 'specular', by: number): Form => ({
+const termScaled = (term: Term, by: number): Form => ({
   [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
 });
 
@@ -313,14 +319,21 @@ export const MISTAKES = {
       { ambient: (so, given) => (so.NoL > 0 ? RIGHT.ambient(so, given) : BLACK) },
     ],
   },
+  'no-diffuse': {
+    sentence: 'The diffuse term is missing: Kd · Id · max(N·L, 0).',
+    forms: [{ diffuse: () => BLACK }],
+  },
+  'no-specular': {
+    sentence: 'The specular term is missing: Ks · Is · spec.',
+    forms: [{ specular: () => BLACK }],
+  },
   'no-attenuation': {
-    sentence:
-      'The attenuation, or the distance in it, is missing: 1 / max(kc + kl·d + kq·d², 1) for a light at a place.',
+    sentence: 'The attenuation, or the distance in it, is missing: 1 / max(kc + kl·d + kq·d², 1).',
     forms: [
       { att: () => 1 },
       // With the length of L, which is 1.
-      attenuated((_, { light: { attenuation: k } }) => Math.max(k[0] + k[1] + k[2], 1)),
-      attenuated((_, { light: { attenuation: k } }) => k[0] + k[1] + k[2]),
+      attenuated((so, given) => Math.max(falloff({ ...so, d: 1 }, given), 1)),
+      attenuated((so, given) => falloff({ ...so, d: 1 }, given)),
       {
         diffuse: ({ lambert }, { material, light }) =>
           scale(multiply(material.kd, light.diffuse), lambert),
@@ -334,11 +347,9 @@ export const MISTAKES = {
   'distance-not-squared': {
     sentence: 'kq is not multiplied by the square of the distance.',
     forms: [
-      attenuated(({ d }, { light: { attenuation: k } }) => Math.max(k[0] + k[1] * d + k[2] * d, 1)),
-      attenuated(({ d }, { light: { attenuation: k } }) => k[0] + k[1] * d + k[2] * d),
-      attenuated(({ d }, { light: { attenuation: k } }) =>
-        Math.max(k[0] + k[1] * d + k[2] * 2 * d, 1),
-      ),
+      attenuated((so, given) => Math.max(unsquared(so, given), 1)),
+      attenuated(unsquared),
+      attenuated((so, given) => Math.max(unsquared(so, given, 2), 1)),
     ],
   },
   'attenuation-not-clamped': {
@@ -427,12 +438,7 @@ export const MISTAKES = {
       scaled(255),
       scaled(1 / 255),
       scaled(1 / 255 ** 2),
-      termScaled('ambient', 255),
-      termScaled('ambient', 1 / 255),
-      termScaled('diffuse', 255),
-      termScaled('diffuse', 1 / 255),
-      termScaled('specular', 255),
-      termScaled('specular', 1 / 255),
+      ...TERMS.flatMap((term) => [255, 1 / 255].map((by) => termScaled(term, by))),
     ],
   },
 } as const satisfies Readonly<Record<string, Mistake>>;
@@ -445,10 +451,7 @@ export type MistakeId = keyof typeof MISTAKES;
 /** In the order of the table. */
 export const MISTAKE_IDS = Object.keys(MISTAKES) as readonly MistakeId[];
 
-const lengthTo = (given: Given): number => {
-  const [x, y, z] = subtract(placeOf(given), given.p);
-  return Math.hypot(x, y, z);
-};
+const lengthTo = (given: Given): number => length(subtract(placeOf(given), given.p));
 
 export const formsOf = (id: MistakeId): readonly Form[] => MISTAKES[id].forms;
 

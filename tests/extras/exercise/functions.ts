@@ -161,7 +161,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'no-gate': {
     'no if': changed([GATE, '{']),
     'with a clamped result': changed([GATE, '{'], [SUM, `clamp(${SUM}, 0.0, 1.0)`]),
-    'in short': inShort('* lit ', ''),
   },
   'half-lambert': {
     half: changed([DIFFUSE, '(0.5 * NoL + 0.5)']),
@@ -170,7 +169,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'normal-not-unit': {
     all: changed(['normalize(normal)', 'normal']),
-    'in short': inShort('normalize(normal)', 'normal'),
     'diffuse only': changed([DIFFUSE, 'max(dot(normal, L), 0.0)']),
   },
   'light-not-unit': {
@@ -184,7 +182,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'view-not-unit': {
     all: changed(['normalize(eye - p)', 'eye - p']),
-    'in short': inShort('V = normalize(eye - p)', 'V = eye - p'),
   },
   'axis-not-unit': {
     all: changed(['normalize(light.axis)', 'light.axis']),
@@ -204,7 +201,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'view-reversed': {
     'p minus eye': changed(['normalize(eye - p)', 'normalize(p - eye)']),
     'reflect(L, N)': changed(['reflect(-L, N)', 'reflect(L, N)']),
-    'R by hand': inShort('2.0 * dot(N, L) * N - L', 'L - 2.0 * dot(N, L) * N'),
   },
   'eye-at-origin': {
     'minus p': changed(['normalize(eye - p)', 'normalize(-p)']),
@@ -212,7 +208,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'blinn-for-phong': {
     'half vector': changed(['dot(R, V)', 'dot(N, normalize(L + V))']),
-    'in short': inShort('dot(V, R)', 'dot(N, normalize(L + V))'),
     'with four times the exponent': changed(
       ['dot(R, V)', 'dot(N, normalize(L + V))'],
       ['m.shininess)', '4.0 * m.shininess)'],
@@ -244,6 +239,9 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     missing: changed([SUM, 'decay * att * (diffuse + specular)']),
     'on the far side': changed([SUM, `NoL > 0.0 ? ${SUM} : vec3(0.0)`]),
   },
+  'no-diffuse': { missing: changed([SUM, 'decay * (ambient + att * specular)']) },
+  'no-specular': { missing: changed([SUM, 'decay * (ambient + att * diffuse)']) },
+  'no-diffuse + no-specular': { 'to begin with': changed([SUM, 'decay * ambient']) },
   'no-attenuation': {
     missing: changed([SUM, 'decay * (ambient + diffuse + specular)']),
     'by the length of L': changed(['toLight / d', 'toLight / d; d = length(L)']),
@@ -259,10 +257,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
       'max(light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d, 1.0)',
       '(light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d)',
     ]),
-    'in short': inShort(
-      'min(1.0 / dot(k, vec3(1.0, d, d * d)), 1.0)',
-      '1.0 / dot(k, vec3(1.0, d, d * d))',
-    ),
   },
   'w-ignored': {
     'always a place': changed([
@@ -294,10 +288,6 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
       ['float att = 1.0;', 'float att = 1.0; float cone = 1.0;'],
       ['GATE', GATE],
       [SUM, 'decay * (cone * ambient + att * (cone * diffuse + specular))'],
-    ),
-    'in short': inShort(
-      'degrees(angle) <= light.aperture ? pow(cos(angle / 2.0), 2.0 * light.cutoff) : 0.0',
-      'pow(cos(angle / 2.0), 2.0 * light.cutoff)',
     ),
   },
   'ambient-outside-cone': {
