@@ -226,6 +226,13 @@ export const MISTAKES = {
       ...cap,
     })),
   },
+  'half-not-unit': {
+    sentence: 'H is not normalized: its length counts in the cosine.',
+    forms: [
+      ...[1, 0.5].map((by): Form => ({ cosine: ({ N, L, V }) => by * dot(N, add(L, V)) })),
+      { cosine: ({ N, L, V }) => clamp(dot(N, add(L, V)), 0, 1) },
+    ],
+  },
   'axis-not-unit': {
     sentence: "The spot's axis is not normalized: its length counts in the cosine.",
     forms: [

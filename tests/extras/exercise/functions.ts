@@ -183,6 +183,10 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'view-not-unit': {
     all: changed(['normalize(eye - p)', 'eye - p']),
   },
+  'half-not-unit': {
+    'L + V': changed(['dot(R, V)', 'dot(N, L + V)']),
+    'half of it': changed(['dot(R, V)', 'dot(N, (L + V) / 2.0)']),
+  },
   'axis-not-unit': {
     all: changed(['normalize(light.axis)', 'light.axis']),
     'in a function': inLong(' / length(lamp.axis)', ''),
