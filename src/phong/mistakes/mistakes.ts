@@ -113,6 +113,11 @@ const capped: readonly Form[] = [
   { ...cappedLambert, ...cappedLobe },
 ];
 
+/** L as long as the way to the light, under some lights. */
+const longUnder = (isMeant: (given: Given) => boolean): Form => ({
+  L: (so, given) => (isMeant(given) ? so.toLight : RIGHT.L(so, given)),
+});
+
 /** With the exponent that makes the highlight about as large as with the other cosine. */
 const asLarge = (asked: Given['reflection'], by: number): Form => ({
   lobe: ({ cosine }, { material, reflection }) =>
@@ -166,6 +171,8 @@ export const MISTAKES = {
       { lambert: ({ NoL }) => 0.5 * NoL + 0.5 },
       { lambert: ({ NoL }) => (0.5 * NoL + 0.5) ** 2 },
       { lambert: ({ NoL }) => 0.5 * NoL + 0.5, spec: ({ lobe }) => lobe },
+      // On the lit side only.
+      { lambert: ({ NoL }) => (NoL > 0 ? 0.5 * NoL + 0.5 : 0) },
     ],
   },
   'normal-not-unit': {
@@ -185,24 +192,19 @@ export const MISTAKES = {
     sentence: 'L is not normalized: its length counts in the cosine.',
     forms: [
       ...capped.flatMap((cap) => [
-        { L: ({ toLight }: Readonly<Values>) => toLight, ...cap },
-        {
-          L: ({ toLight }: Readonly<Values>) => toLight,
-          ...byCosine(({ toLight, A }) => [toLight, A]),
-          ...cap,
-        },
-        // All but the cosine of the spot.
-        {
-          L: ({ toLight }: Readonly<Values>) => toLight,
-          c: ({ toLight, A }: Readonly<Values>) => dot(normalize(toLight), negate(A)),
-          ...cap,
-        },
+        // All lights, or places only.
+        ...[() => true, isPositional].map(longUnder).flatMap((long) => [
+          { ...long, ...cap },
+          { ...long, ...byCosine(({ toLight, A }) => [toLight, A]), ...cap },
+          // All but the cosine of the spot.
+          {
+            ...long,
+            c: ({ toLight, A }: Readonly<Values>) => dot(normalize(toLight), negate(A)),
+            ...cap,
+          },
+        ]),
         // Directions only.
-        {
-          L: (so: Readonly<Values>, given: Given) =>
-            isPositional(given) ? RIGHT.L(so, given) : so.toLight,
-          ...cap,
-        },
+        { ...longUnder((given) => !isPositional(given)), ...cap },
       ]),
       { lambert: ({ N, toLight }) => Math.max(dot(N, toLight), 0) },
       {

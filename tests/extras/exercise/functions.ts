@@ -165,6 +165,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'half-lambert': {
     half: changed([DIFFUSE, '(0.5 * NoL + 0.5)']),
     squared: changed([DIFFUSE, 'pow(0.5 * NoL + 0.5, 2.0)']),
+    'on the lit side': changed([DIFFUSE, '(NoL > 0.0 ? 0.5 * NoL + 0.5 : 0.0)']),
     'the gate too': changed(['float NoL = dot(N, L);', 'float NoL = dot(N, L) * 0.5 + 0.5;']),
   },
   'normal-not-unit': {
@@ -175,6 +176,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     all: changed(['toLight / d', 'toLight']),
     'diffuse only': changed([DIFFUSE, 'max(dot(N, toLight), 0.0)']),
     'the sun only': changed(['toLight / d', 'light.position.w == 0.0 ? toLight : toLight / d']),
+    'places only': changed(['toLight / d', 'light.position.w == 0.0 ? toLight / d : toLight']),
     'in short': inShort('L = normalize(D)', 'L = D').replace(
       'dot(L, normalize(light.axis))',
       'dot(normalize(L), normalize(light.axis))',
