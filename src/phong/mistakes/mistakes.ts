@@ -251,7 +251,7 @@ export const MISTAKES = {
     ],
   },
   'light-reversed': {
-    sentence: 'L, or the axis, points the wrong way: L goes from the point to the light.',
+    sentence: 'L, N or the axis points the wrong way: L goes from the point to the light.',
     forms: [
       { L: (so, given) => negate(RIGHT.L(so, given)) },
       { lambert: ({ NoL }) => Math.max(-NoL, 0) },

@@ -203,6 +203,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     'the axis': changed(['dot(L, -A)', 'dot(L, A)']),
     'all but the cone': changed(['toLight / d', '-toLight / d'], ['dot(L, -A)', 'dot(L, A)']),
     diffuse: changed([DIFFUSE, 'max(dot(N, -L), 0.0)']),
+    'the normal': changed(['normalize(normal)', '-normalize(normal)']),
   },
   'view-reversed': {
     'p minus eye': changed(['normalize(eye - p)', 'normalize(p - eye)']),
