@@ -147,6 +147,10 @@ export const MISTAKES = {
     sentence: 'N·L is not clamped at 0: negative light is subtracted on the far side.',
     forms: [{ lambert: ({ NoL }) => NoL }],
   },
+  'no-gate': {
+    sentence: 'The highlight does not ask whether N·L is above 0: it shows on the far side too.',
+    forms: [{ spec: ({ lobe }) => lobe }],
+  },
   'abs-for-max': {
     sentence: 'abs(…) is not max(…, 0): the side away from the light is lit as well.',
     forms: [
@@ -160,10 +164,6 @@ export const MISTAKES = {
       },
       { lambert: ({ NoL }) => Math.abs(NoL), spec: ({ lobe }) => lobe },
     ],
-  },
-  'no-gate': {
-    sentence: 'The highlight does not ask whether N·L is above 0: it shows on the far side too.',
-    forms: [{ spec: ({ lobe }) => lobe }],
   },
   'half-lambert': {
     sentence: 'N·L is moved from −1…1 to 0…1 (half Lambert) in place of max(N·L, 0).',
@@ -385,6 +385,14 @@ export const MISTAKES = {
       { att: (so, given) => 1 / Math.max(falloff(so, given), 1) },
     ],
   },
+  'ambient-outside-cone': {
+    sentence: 'The ambient term is added outside the cone: there the light adds nothing at all.',
+    forms: [
+      shared((term, { isInside, decay }) => (isInside || term === 'ambient' ? decay : 0)),
+      shared((term, { isInside, decay }) => (term === 'ambient' ? 1 : isInside ? decay : 0)),
+      shared((term, { isInside, decay }) => (isInside ? decay : term === 'ambient' ? 1 : 0)),
+    ],
+  },
   'no-cone': {
     sentence: 'The cone is missing: outside of it the light adds nothing.',
     forms: [
@@ -406,14 +414,6 @@ export const MISTAKES = {
       ...coned((aperture) => radians(aperture) / 2),
       // The double of 180 would be black under a plain lamp, like much else.
       ...coned((aperture) => 2 * radians(aperture), [180]),
-    ],
-  },
-  'ambient-outside-cone': {
-    sentence: 'The ambient term is added outside the cone: there the light adds nothing at all.',
-    forms: [
-      shared((term, { isInside, decay }) => (isInside || term === 'ambient' ? decay : 0)),
-      shared((term, { isInside, decay }) => (term === 'ambient' ? 1 : isInside ? decay : 0)),
-      shared((term, { isInside, decay }) => (isInside ? decay : term === 'ambient' ? 1 : 0)),
     ],
   },
   'cutoff-not-shifted': {
@@ -457,7 +457,10 @@ export const NO_MISTAKE = 'Right.';
 
 export type MistakeId = keyof typeof MISTAKES;
 
-/** In the order of the table. */
+/**
+ * In the order of the table. Where a task shows no difference between two, the first is named: the
+ * one whose sentence is true of both.
+ */
 export const MISTAKE_IDS = Object.keys(MISTAKES) as readonly MistakeId[];
 
 const lengthTo = (given: Given): number => length(subtract(placeOf(given), given.p));

@@ -172,6 +172,8 @@ it.each([
     'no-attenuation',
   ],
   ['spots only', { ...ALL, kinds: ['spot'] }, 'no-cone'],
+  ['spots without a highlight', { ...ALL, terms: ['ambient', 'diffuse'] }, 'ambient-outside-cone'],
+  ['a highlight', { ...ALL, terms: ['specular'] }, 'no-gate'],
 ] as const)('an exercise of %s keeps to it', (_, task, id) => {
   const cases = casesOf(task);
   expect(cases.length).toBeGreaterThan(0);
