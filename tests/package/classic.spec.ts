@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { field } from '../extras/panel/panel-rows.js';
-import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
+import { allReady, expect, pixelAt, pixels, same, test } from '../support/test.js';
 import { requestsOf } from '../support/requests.js';
 
 const fixtures = fileURLToPath(new URL('../fixtures', import.meta.url));
@@ -127,7 +127,7 @@ test('the classic script draws what the module draws, also sandboxed', async ({
   await allReady(page);
   const viewer = page.locator('phong-viewer');
   await expect(viewer.getByText('Controls')).toBeVisible();
-  expect(compare(await pixels(viewer, size), expected).max).toBe(0);
+  same(await pixels(viewer, size), expected);
   // Where learning platforms put pages.
   const inner = site.page(scene, { csp: '', head });
   await page.goto(

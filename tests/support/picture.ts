@@ -52,7 +52,8 @@ export async function pixels(
 }
 
 /** The pictures are equal to the bit. */
-export const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
+export const same = (a: Picture, b: Picture, what?: string): void =>
+  expect(compare(a, b).max, what).toBe(0);
 
 /** The codes of one pixel, x to the right and y down from the top left. */
 export function pixelAt(

@@ -7,7 +7,7 @@ import { map, type Vec3 } from '../../src/phong/math/vector.js';
 import { VIEWS, type View } from '../../src/phong/material/views.js';
 import { type LightShare, shade } from '../../src/phong/reference/index.js';
 import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
-import { compare, expect, pixels, test } from '../support/test.js';
+import { expect, pixels, same, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';
 import { firstOf, fullOr, repeats } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
@@ -204,7 +204,7 @@ test('with a single light the shaded picture is that of the scene without the ot
       }
     }
   });
-  expect(compare(alone, await pixels(viewer, SIZE)).max).toBe(0);
+  same(alone, await pixels(viewer, SIZE));
 });
 
 test('gives every triangle a colour, between dark lines', async ({ mount }) => {

@@ -2,7 +2,7 @@
 // markup again? unit/elements/to-html.test.ts has what takes no picture.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, test } from '../../support/test.js';
+import { expect, pixels, same, test } from '../../support/test.js';
 import { drag, htmlOf, nextFrame, type PhongViewer, shownBy } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
@@ -17,7 +17,7 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
 async function roundTrip(page: Page, viewer: Locator): Promise<void> {
   const before = await pixels(viewer, size);
   const text = await htmlOf(viewer);
-  expect(compare(await shownBy(page, text, size), before).max).toBe(0);
+  same(await shownBy(page, text, size), before);
   const again = await page.evaluate((markup) => {
     const place = document.createElement('div');
     place.innerHTML = markup;

@@ -1,7 +1,7 @@
 // What happens when the graphics context fails: refused, lost while it is created, lost again, lost
 // under toBlob, too large?
 
-import { compare, expect, pixels, test } from '../../support/test.js';
+import { expect, pixels, same, test } from '../../support/test.js';
 import { fullOr } from '../../support/repeats.js';
 import { installFaults, type Opening } from './faults.js';
 import {
@@ -66,7 +66,7 @@ for (const count of [1, 2]) {
     await expect(notices).toHaveCount(0);
     await nextFrame(page);
     expect(await events.take()).toEqual([{ type: 'render', detail: null }]);
-    expect(compare(await pixels(viewer), expected).max).toBe(0);
+    same(await pixels(viewer), expected);
   });
 }
 
@@ -113,7 +113,7 @@ test('a context lost at any call of the first picture is reported once and resto
     await page.evaluate(() => window.faults.restore());
     await expect(viewer.locator('[part=notice]')).toHaveCount(0);
     await settled(viewer);
-    expect(compare(await pixels(viewer), expected).max, `call ${call}`).toBe(0);
+    same(await pixels(viewer), expected, `call ${call}`);
   }
 });
 
@@ -146,7 +146,7 @@ test('a context lost again while it is restored comes back later, for new viewer
   });
   await expect(notices).toHaveCount(0);
   for (const one of await page.locator('phong-viewer').all()) {
-    expect(compare(await pixels(one), expected).max).toBe(0);
+    same(await pixels(one), expected);
   }
   expect((await events.take()).length).toBeLessThanOrEqual(2);
 });

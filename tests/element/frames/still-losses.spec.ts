@@ -3,7 +3,7 @@
 
 import type * as Three from 'three';
 import { usages } from '../../package/requests.js';
-import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { allReady, expect, pixels, same, test } from '../../support/test.js';
 import { holdContext } from '../page/many-viewers.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { film, keepPixels, LIGHT, viewerOf } from '../support/film.js';
@@ -64,7 +64,7 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
       }
     }
     expect(reported, what).toBe(what === 'alone');
-    expect(compare(await pixels(viewer), before).max, what).toBe(0);
+    same(await pixels(viewer), before, what);
     await nextFrame(page);
     expect(await spentIn(page, 200), what).toEqual(NOTHING);
   }

@@ -2,7 +2,7 @@
 // afterwards?
 
 import type { Locator, Page } from '@playwright/test';
-import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { allReady, expect, pixels, same, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import {
   assign,
@@ -127,7 +127,7 @@ test('several viewers converge in turn, and keep their pictures when others come
   await nextFrame(page);
   await allReady(page);
   expect(await seen.jsonValue(), 'the first picture has not changed').toEqual([]);
-  expect(compare(await pixels(viewer), before).max).toBe(0);
+  same(await pixels(viewer), before);
 });
 
 test('a picture that is taken away in the middle converges when it is back', async ({ mount }) => {
@@ -193,10 +193,10 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   expect((await seen.jsonValue()).map(({ samples }) => samples)).toEqual([0]);
   const shown = await pixels(viewer);
   const sampled = await pixels(viewer, { samples: 64 });
-  expect(compare(sampled, shown).max, 'toBlob').toBe(0);
+  same(sampled, shown, 'toBlob');
   await assign(viewer, { antialias: 'edges' });
   await allReady(page);
-  expect(compare(await pixels(viewer), shown).max, '`edges`').toBe(0);
+  same(await pixels(viewer), shown, '`edges`');
   await assign(viewer, { antialias: 'full', autoRotate: 90 });
   await allReady(page); // while it turns
   expect(await samplesOf(viewer)).toBe(0);
@@ -215,7 +215,7 @@ test('toBlob({ samples }) is the picture that a viewer of that size converges to
   const wanted = await pixels(viewer);
   await assign(viewer, { antialias: 'edges' });
   const options = { width: 90, height: 70, samples: 16 };
-  expect(compare(await pixels(viewer, options), wanted).max).toBe(0);
+  same(await pixels(viewer, options), wanted);
   for (const samples of [0, 1.5, 1025, 'many']) {
     await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(
       /RangeError.*samples/,

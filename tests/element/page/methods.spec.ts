@@ -2,7 +2,7 @@
 // are decoded PNGs or, for JPEG, what the browser reads back.
 
 import type { Mesh } from 'three';
-import { compare, expect, pixelAt, pixels, test, type Picture } from '../../support/test.js';
+import { compare, expect, pixelAt, pixels, same, test, type Picture } from '../../support/test.js';
 import { cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
@@ -40,7 +40,7 @@ test.describe('toBlob', () => {
     expect(await of({ width: 100_000, height: 100_000 })).toBe('RangeError');
     expect(await of({ width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
     expect(await of({ quality: 7 })).toBe('RangeError');
-    expect(compare(await pixels(viewer), before).max).toBe(0);
+    same(await pixels(viewer), before);
     const corner = await viewer.evaluate(async (element: PhongViewer) => {
       const blob = await element.toBlob({ type: 'image/jpeg', quality: 1 });
       const context = new OffscreenCanvas(1, 1).getContext('2d')!;
@@ -133,7 +133,7 @@ test.describe('toBlob', () => {
         return [hidden === (await bytes()), hidden === other];
       }, size);
       expect(equal, what).toEqual([true, false]);
-      expect(compare(await pixels(viewer, size), red).max, what).toBe(0);
+      same(await pixels(viewer, size), red, what);
       await nextFrame(page);
       expect(Buffer.compare(await viewer.screenshot(), onScreen), what).toBe(0);
     }

@@ -2,7 +2,7 @@
 // is under a strict Content-Security-Policy, which new documents inherit.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, strictPolicy, test } from '../../support/test.js';
+import { compare, expect, pixels, strictPolicy, same, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
 import { cameraOf, drag, nextFrame, type PhongViewer, set, settled } from '../support/viewer.js';
 
@@ -48,7 +48,7 @@ test('a viewer among others shows its picture in an iframe, and again when it re
   for (let time = 0; time < 2; time++) {
     await intoFrame(page);
     const inside = page.frameLocator('iframe').locator('phong-viewer');
-    expect(compare(await pixels(inside), before).max).toBe(0);
+    same(await pixels(inside), before);
     await expect.poll(() => inkOn(page, inside)).toBe(ink);
     await page.evaluate(async () => {
       const moved = document
@@ -57,7 +57,7 @@ test('a viewer among others shows its picture in an iframe, and again when it re
       document.body.prepend(moved);
       await moved.ready;
     });
-    expect(compare(await pixels(viewer), before).max).toBe(0);
+    same(await pixels(viewer), before);
     await expect.poll(() => inkOn(page, viewer)).toBe(ink);
   }
 });
@@ -200,7 +200,7 @@ for (const how of ['removed', 'navigated'] as const) {
       { how, address: site.page('') },
     );
     expect(facts).toEqual({ drawn: 1, direct: true });
-    expect(compare(await pixels(viewer), before).max).toBe(0);
+    same(await pixels(viewer), before);
   });
 }
 
@@ -222,7 +222,7 @@ test('a document without a window counts as outside the page', async ({ page, mo
     return [drawn, fresh.stats.frames];
   });
   expect(frames).toEqual([0, 1]);
-  expect(compare(await pixels(page.locator('phong-viewer').first(), SIZE), before).max).toBe(0);
+  same(await pixels(page.locator('phong-viewer').first(), SIZE), before);
 });
 
 test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({
@@ -248,7 +248,7 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   const inside = popup.locator('phong-viewer');
   await settled(inside);
   await nextFrame(popup);
-  expect(compare(await pixels(inside), before).max).toBe(0);
+  same(await pixels(inside), before);
   expect(await inkOn(popup, inside)).toBeGreaterThan(500);
   const box = (await inside.boundingBox())!;
   await drag(popup, [box.x + 50, box.y + 50], [20, 15]);
@@ -301,5 +301,5 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   await set(viewer, { geometry: 'torus' });
   expect(compare(await pixels(viewer), before).max).toBeGreaterThan(50);
   await set(viewer, { geometry: 'box' });
-  expect(compare(await pixels(viewer), before).max).toBe(0);
+  same(await pixels(viewer), before);
 });

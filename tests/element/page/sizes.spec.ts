@@ -2,7 +2,7 @@
 // change? Canvas sizes are in device pixels, everything else in CSS pixels.
 
 import type { Locator } from '@playwright/test';
-import { compare, expect, pixels, setPixelRatio, test } from '../../support/test.js';
+import { expect, pixels, setPixelRatio, same, test } from '../../support/test.js';
 import { assign, canvasSize, nextFrame, type PhongViewer, record, set } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
@@ -78,7 +78,7 @@ test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixel
     deviceScaleFactor: 2,
   });
   expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
-  expect(compare(await pixels(limited), expected).max).toBe(0);
+  same(await pixels(limited), expected);
   expect(
     await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p),
   ).toEqual(place);

@@ -4,7 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { wasmPolicy } from '../../support/site.js';
-import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
+import { expect, pixelAt, pixels, same, test } from '../../support/test.js';
 import {
   assign,
   type PhongMesh,
@@ -149,7 +149,7 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
   const outcome = await outcomeOf(viewer, () => setFile(viewer));
   expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///my%20quad.glb', missing: [] } });
   const shown = await pixels(viewer);
-  const same = await viewer.evaluate((element: PhongViewer) => {
+  const facts = await viewer.evaluate((element: PhongViewer) => {
     const [file] = Reflect.get(window, 'files') as File[];
     const html = element.toHTML();
     return [
@@ -160,11 +160,11 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
       html,
     ];
   });
-  expect(same).toEqual([true, false, true, true, expect.stringContaining('src="my%20quad.glb"')]);
+  expect(facts).toEqual([true, false, true, true, expect.stringContaining('src="my%20quad.glb"')]);
   await assign(viewer, { src: '' });
   const mesh = viewer.locator('phong-mesh');
   expect((await outcomeOf(viewer, () => setFile(mesh, true))).type).toBe('load');
-  expect(compare(await pixels(viewer), shown).max).toBe(0);
+  same(await pixels(viewer), shown);
 });
 
 test('a model compressed by meshopt without WebAssembly is an error with its cure', async ({
@@ -175,7 +175,7 @@ test('a model compressed by meshopt without WebAssembly is an error with its cur
   const shown = await mount(viewerOf(source), { ...size, csp: wasmPolicy });
   const picture = await pixels(shown);
   await set(shown, { src: model('no-normals.glb') });
-  expect(compare(await pixels(shown), picture).max).toBe(0);
+  same(await pixels(shown), picture);
   consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
   const refused = await mount(viewerOf(source), size);
   await expect(refused.locator('[part=notice]')).toContainText('compressed by meshopt');
@@ -206,7 +206,7 @@ test.describe('a droppable viewer', () => {
     expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe(
       'load',
     );
-    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+    same(await pixels(viewer), wanted);
     // All files in one place, although the names inside contain folders.
     await filesIn(
       page,
@@ -215,7 +215,7 @@ test.describe('a droppable viewer', () => {
     );
     const outcome = await drop(viewer);
     expect(outcome).toMatchObject({ type: 'load', detail: { url: 'file:///quad.gltf' } });
-    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+    same(await pixels(viewer), wanted);
   });
 
   test('lists missing files', async ({ page, mount, consoleGuard }) => {
@@ -249,7 +249,7 @@ test.describe('a droppable viewer', () => {
         /^The model cannot be read: it is truncated.* \(truncated\.glb\)\.$/,
       );
       await expect(notice!).toContainText('truncated.glb');
-      expect(compare(await pixels(viewer), before).max).toBe(0);
+      same(await pixels(viewer), before);
       await expect(retry!).toHaveCount(0);
     };
     await fail();
@@ -321,7 +321,7 @@ test.describe('a droppable viewer', () => {
     await expect.poll(() => sourceOf(viewer)).toBe(address);
     await settled(viewer);
     expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
-    expect(compare(await pixels(viewer), before).max).toBe(0);
+    same(await pixels(viewer), before);
     expect(loads.filter((url) => url.endsWith(address))).toEqual([]); // it was shown all the time
 
     // A file that can be shown: undo shows the author's again, redo the file.
@@ -331,11 +331,11 @@ test.describe('a droppable viewer', () => {
     await page.keyboard.press('Control+Z');
     await expect.poll(() => sourceOf(viewer)).toBe(address);
     await settled(viewer);
-    expect(compare(await pixels(viewer), before).max).toBe(0);
+    same(await pixels(viewer), before);
     await page.keyboard.press('Control+Shift+Z');
     await expect.poll(() => sourceOf(viewer)).toBe('a file');
     await settled(viewer);
-    expect(compare(await pixels(viewer), mine).max).toBe(0);
+    same(await pixels(viewer), mine);
 
     // The same for a mesh, which has nothing to go back to.
     const mesh = viewer.locator('phong-mesh');

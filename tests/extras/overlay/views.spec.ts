@@ -3,7 +3,7 @@
 
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
-import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
+import { compare, expect, pixelAt, pixels, same, test } from '../../support/test.js';
 import { choice, flag, opened, button, panelOf } from '../panel/panel-rows.js';
 import {
   assign,
@@ -90,7 +90,7 @@ test('`ready` and `toBlob` wait for the view, and leaving it restores the pictur
     return picture.size;
   });
   expect(await blob).toBeGreaterThan(0);
-  expect(compare(shaded, await pixels(again)).max).toBe(0);
+  same(shaded, await pixels(again));
 });
 
 test('follows lights that are renamed, switched off, added and removed', async ({
@@ -210,7 +210,7 @@ test('is restored after the element was removed, and after its context was lost'
     );
   await comeBack('triangles', true);
   await expect(legendOf(viewer)).toHaveCount(1);
-  expect(compare(before, await pixels(viewer)).max).toBe(0);
+  same(before, await pixels(viewer));
   await comeBack('shaded', false);
   expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
   await set(viewer, { view: 'triangles' });
@@ -220,7 +220,7 @@ test('is restored after the element was removed, and after its context was lost'
   await restore();
   await expect(notice).toHaveCount(0);
   await settled(viewer);
-  expect(compare(before, await pixels(viewer)).max).toBe(0);
+  same(before, await pixels(viewer));
 });
 
 test('a name that no light has is black with a warning; a later light shows', async ({
