@@ -4,7 +4,7 @@
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
+import { countEverything, countsOf, expectIdle } from '../element/support/counting.js';
 import {
   comeAndGo,
   holdContext,
@@ -37,7 +37,7 @@ test('@release two hundred viewers share one context, come back when it is lost,
   expect(new Set(reds).size).toBeGreaterThan(100);
   await loseAndRestore(page, page.locator('phong-viewer'));
   expect(await redsShown(page)).toEqual(reds);
-  expect(await spentIn(page, 2000)).toEqual(NOTHING);
+  await expectIdle(page, 2000);
 });
 
 test('@release four hundred viewers are scrolled through in bounded memory', async ({
@@ -126,7 +126,7 @@ test('@release fifty viewers converge, each of them once, and then nothing runs'
   });
   await mount(markup.join(''), { width: 64, height: 48, css: 'phong-viewer { float: left }' });
   await page.waitForTimeout(KEPT_MS);
-  expect(await spentIn(page, 1000)).toEqual(NOTHING);
+  await expectIdle(page, 1000);
   const before = await countsOf(page);
   const order = await page.evaluate(async () => {
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
@@ -140,7 +140,7 @@ test('@release fifty viewers converge, each of them once, and then nothing runs'
   });
   expect(order, 'each one finishes once, from the top').toEqual(markup.map((_, i) => i));
   await page.waitForTimeout(KEPT_MS);
-  expect(await spentIn(page, 1000)).toEqual(NOTHING);
+  await expectIdle(page, 1000);
   const { textures, framebuffers, renderbuffers } = before;
   expect(await countsOf(page)).toMatchObject({
     textures,

@@ -7,7 +7,7 @@ import type { LightValues } from '../../src/phong/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
-import { assign, type PhongViewer, settled, statsOf } from '../element/support/viewer.js';
+import { assign, type PhongViewer, settled, statsOf, htmlOf } from '../element/support/viewer.js';
 import { innerPixels } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import type { DeclaredScene } from './ray-cast.js';
@@ -164,7 +164,7 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
     await settled(viewer);
     await glSpent(page);
     const shown = await pixels(viewer, SIZE);
-    const markup = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+    const markup = await htmlOf(viewer);
     const looped = await firstPicture(page, markup);
     const difference = betweenPrograms(shown, looped);
     expect(difference.max, what).toBeLessThanOrEqual(1);

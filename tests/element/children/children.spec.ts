@@ -7,7 +7,7 @@ import type { Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, same, test, type Picture } from '../../support/test.js';
 import { drawUntilSpecialised } from '../frames/driving.js';
 import { logGl } from '../support/gl-log.js';
-import { type PhongViewer, record, shownBy } from '../support/viewer.js';
+import { type PhongViewer, record, shownBy, assign } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 60, height: 40 };
@@ -164,7 +164,7 @@ test('moveBefore of wrapper or viewer keeps models, camera and panel; the order 
   const markup = `<main></main>${scene(`<p></p><div>${model}${red}</div>`, green).replace('geometry', 'gui geometry')}`;
   const viewer = await mount(markup, size);
   await expect(viewer.locator('[part=panel] > *')).not.toHaveCount(0);
-  await viewer.evaluate((element: PhongViewer) => (element.theta = 77));
+  await assign(viewer, { theta: 77 });
   const requests = requestsOf(page);
   const events = await record(viewer, 'load', 'error', 'camera-change');
   const kept = await viewer.evaluate(async (element: PhongViewer) => {

@@ -39,7 +39,7 @@ test('a sphere has the segments that its size and the camera need, and the camer
   // Framing is that of the round shape.
   for (const segments of [3, 24, 'auto'] as const) {
     await set(viewer, { segments, target: 'auto', radius: 'auto' });
-    expect(await viewer.evaluate((element: PhongViewer) => element.camera.radius)).toBe(radius);
+    expect((await cameraOf(viewer)).radius).toBe(radius);
   }
   expect(await triangles(viewer)).toBe(sphereOf(64));
 });
@@ -118,7 +118,7 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
   expect(await shown()).toEqual(['a', 'b', 'd']);
   const message: unknown = expect.stringContaining('at most 40,000 can be shown');
   expect(await heard.take()).toMatchObject([{ detail: { code: 'too-large', message } }]);
-  expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).toBe(10);
+  expect((await cameraOf(viewer)).theta).toBe(10);
   await expect(viewer.locator('[part=notice]')).toBeVisible();
   // A shape of the viewer's own, while `ready` is pending.
   const own = (element: PhongViewer) => {

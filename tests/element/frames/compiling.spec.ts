@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { type PhongViewer, settled, statsOf } from '../support/viewer.js';
+import { type PhongViewer, settled, statsOf, assign } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const LIGHT = '<phong-light position="1 2 3 0"></phong-light>';
@@ -93,9 +93,9 @@ test('a file is drawn at once, and a program that never answers holds no picture
   const viewer = await mount(`<phong-viewer geometry="torus">${LIGHT}</phong-viewer>`, size);
   const before = await pixels(viewer);
   await setLinking(page, true);
-  await viewer.evaluate((element: PhongViewer) => (element.reflection = 'blinn-phong'));
+  await assign(viewer, { reflection: 'blinn-phong' });
   expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
-  await viewer.evaluate((element: PhongViewer) => (element.shading = 'gouraud'));
+  await assign(viewer, { shading: 'gouraud' });
   const { frames } = await statsOf(viewer);
   await settled(viewer);
   expect((await statsOf(viewer)).frames).toBe(frames + 1);

@@ -3,7 +3,7 @@
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
-import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
+import { countEverything, countsOf, spentBetween, expectIdle } from '../support/counting.js';
 import { assign, drag, nextFrame, type PhongViewer, record, statsOf } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
@@ -54,7 +54,7 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
     if (when.startsWith('after')) {
       expect(await framesOf(viewer), when).toBeGreaterThan(before);
     }
-    expect(await spentIn(page, A_WHILE), when).toEqual(NOTHING);
+    await expectIdle(page, A_WHILE, when);
   }
 });
 
@@ -122,7 +122,7 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
         diffuse,
       );
     }
-    expect(await spentIn(page, A_WHILE), how).toEqual(NOTHING);
+    await expectIdle(page, A_WHILE, how);
     await place.evaluate(hide as (place: Element, hidden: boolean) => void, false);
     await expect.poll(() => framesOf(still), how).toBe(drawn + 1);
     await nextFrame(page);

@@ -4,7 +4,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixels, test } from '../../support/test.js';
-import { nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
+import { nextFrame, type PhongViewer, statsOf, assign } from '../support/viewer.js';
 
 const size = { width: 300, height: 200 };
 const viewerOf = (attributes = ''): string =>
@@ -102,7 +102,7 @@ test('late frames alone take no pixels away, nor does slow drawing where `pixel-
   await setCosts(page, { drawing: 0, own: 80 });
   await turn(viewer, 6);
   expect((await statsOf(viewer)).reducedFrames).toBe(0);
-  await viewer.evaluate((element: PhongViewer) => (element.pixelRatio = 1));
+  await assign(viewer, { pixelRatio: 1 });
   await setCosts(page, { drawing: 200, own: 60 });
   await turn(viewer, 50); // drawing counts as quick for two seconds of this clock
   expect((await statsOf(viewer)).reducedFrames).toBe(0);

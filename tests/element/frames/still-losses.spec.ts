@@ -5,7 +5,7 @@ import type * as Three from 'three';
 import { usages } from '../../package/requests.js';
 import { allReady, expect, pixels, same, test } from '../../support/test.js';
 import { holdContext } from '../page/many-viewers.js';
-import { countEverything, NOTHING, spentIn } from '../support/counting.js';
+import { countEverything, NOTHING, spentIn, expectIdle } from '../support/counting.js';
 import { film, keepPixels, LIGHT, viewerOf } from '../support/film.js';
 import { assign, nextFrame, type PhongViewer, samplesOf, statsOf } from '../support/viewer.js';
 
@@ -66,7 +66,7 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
     expect(reported, what).toBe(what === 'alone');
     same(await pixels(viewer), before, what);
     await nextFrame(page);
-    expect(await spentIn(page, 200), what).toEqual(NOTHING);
+    await expectIdle(page, 200, what);
   }
 });
 
@@ -180,9 +180,9 @@ test('pictures in view converge first, from the top, and those far from it wait'
   });
   await nextFrame(page);
   expect(await finished.jsonValue(), 'in view, then near').toEqual([1, 2, 3, 0, 4]);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
   await page.evaluate(() => scrollTo(0, 6000));
   await expect.poll(() => finished.jsonValue()).toEqual([1, 2, 3, 0, 4, 5]);
   await nextFrame(page);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
 });

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, pixels, same, test } from '../../support/test.js';
-import { countEverything, NOTHING, spentIn } from '../support/counting.js';
+import { countEverything, expectIdle } from '../support/counting.js';
 import {
   assign,
   nextFrame,
@@ -50,7 +50,7 @@ test('a still picture gets its samples, which are no frames; then nothing runs',
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
   await nextFrame(page);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
   const seen = await renders(viewer);
   const { frames } = await statsOf(viewer);
   await assign(viewer, { theta: 40 });
@@ -60,7 +60,7 @@ test('a still picture gets its samples, which are no frames; then nothing runs',
     { samples: 0, frames: frames + 1 },
     { samples: 16, frames: frames + 1 },
   ]);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
   await assign(viewer, { antialias: 'edges' });
   await allReady(page);
   expect(await samplesOf(viewer)).toBe(0);
@@ -153,7 +153,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
     element.samples = 16;
   });
   await expect.poll(() => samplesOf(viewer)).toBe(16);
-  await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
+  await assign(viewer, { autoRotate: 90 });
   await expect.poll(() => samplesOf(viewer), 'a turning camera').toBe(0);
   await settled(viewer);
   const stopped = await viewer.evaluate(async (element: PhongViewer) => {
@@ -189,7 +189,7 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   await assign(viewer, { theta: 40 });
   await allReady(page);
   await nextFrame(page);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
   expect((await seen.jsonValue()).map(({ samples }) => samples)).toEqual([0]);
   const shown = await pixels(viewer);
   const sampled = await pixels(viewer, { samples: 64 });
@@ -204,7 +204,7 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   for (let i = 0; i < 3; i++) {
     await nextFrame(page); // it finds out once it has stood still for a few
   }
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
 });
 
 test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
 import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
-import { countEverything, NOTHING, spentIn } from '../support/counting.js';
+import { countEverything, expectIdle } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, samplesOf, settled } from '../support/viewer.js';
 
 const SIZE = { width: 48, height: 36 };
@@ -131,5 +131,5 @@ test('both sides of a comparison converge, and moving its divider samples nothin
     'divider moved in the middle',
   ).toBe(turned);
   await nextFrame(page);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await expectIdle(page, 200);
 });

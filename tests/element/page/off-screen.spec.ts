@@ -3,7 +3,7 @@
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
-import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';
+import { countEverything, countsOf, expectIdle } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
@@ -140,7 +140,7 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
     expect(await frames(one)).toBe(1);
   }
   await nextFrame(page);
-  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await expectIdle(page, 300);
   for (const one of both) {
     await assign(one, { kd: [9, 9, 9] });
   }
@@ -148,7 +148,7 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   for (const one of both) {
     expect(await frames(one)).toBe(2);
   }
-  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await expectIdle(page, 300);
   await page.evaluate(() => scrollTo(0, 1000));
   for (const one of both) {
     await expect.poll(() => frames(one)).toBeGreaterThan(4);
@@ -208,7 +208,7 @@ test('in an iframe the same holds; nothing moves while the iframe itself is out 
   await nextFrame(page);
   await nextFrame(page);
   const rest = await frames(inside.first());
-  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await expectIdle(page, 300);
   expect(await frames(inside.first())).toBe(rest);
 });
 
@@ -262,5 +262,5 @@ test('eager viewers off screen keep only their pixels; the shared canvas fits a 
   expect(contexts).toBe(1);
   expect(sheetPixels).toBeLessThanOrEqual(1000 * 700);
   expect(canvasPixels).toBe(count * 100 * 200 + sheetPixels);
-  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await expectIdle(page, 300);
 });

@@ -4,7 +4,15 @@
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, strictPolicy, same, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
-import { cameraOf, drag, nextFrame, type PhongViewer, set, settled } from '../support/viewer.js';
+import {
+  cameraOf,
+  drag,
+  nextFrame,
+  type PhongViewer,
+  set,
+  settled,
+  assign,
+} from '../support/viewer.js';
 
 const scene = `<phong-viewer geometry="box" theta="30" phi="70">
   <phong-light name="sun" position="1 2 3 0" diffuse="200 40 40"></phong-light>
@@ -275,7 +283,7 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     // Its own observer, which is older, hears of the place first.
     return new Promise((resolve) => new IntersectionObserver(resolve).observe(element));
   });
-  await inside.evaluate((element: PhongViewer) => (element.kd = [9, 9, 9]));
+  await assign(inside, { kd: [9, 9, 9] });
   const still = await frames();
   await popup.pdf();
   expect(await frames()).toBe(still + 1);

@@ -3,7 +3,15 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, pixels, setPixelRatio, same, test } from '../../support/test.js';
-import { assign, canvasSize, nextFrame, type PhongViewer, record, set } from '../support/viewer.js';
+import {
+  assign,
+  canvasSize,
+  nextFrame,
+  type PhongViewer,
+  record,
+  set,
+  htmlOf,
+} from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
@@ -57,9 +65,7 @@ for (const count of [1, 2]) {
       await set(viewer, { pixelRatio: ratio });
       expect(await canvasSize(viewer), String(ratio)).toEqual([width, height]);
     }
-    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain(
-      'pixel-ratio',
-    );
+    expect(await htmlOf(viewer)).not.toContain('pixel-ratio');
   });
 }
 
@@ -82,9 +88,7 @@ test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixel
   expect(
     await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p),
   ).toEqual(place);
-  expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain(
-    'pixel-ratio="1"',
-  );
+  expect(await htmlOf(limited)).toContain('pixel-ratio="1"');
 });
 
 test('is right when shown after it was 0 × 0 or not displayed, at the start or later', async ({

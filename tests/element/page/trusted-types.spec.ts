@@ -8,6 +8,7 @@ import { expect, type Site, strictPolicy, test } from '../../support/test.js';
 import { button, panelOf } from '../../extras/panel/panel-rows.js';
 import type { PhongViewer } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
+import { assign } from '../support/viewer.js';
 
 const trusted = (policies: string): string =>
   `require-trusted-types-for 'script'; trusted-types ${policies}`;
@@ -58,7 +59,7 @@ test('a viewer works under a strict policy and trusted-types lit-html', async ({
   await button(panelOf(viewer), 'copy HTML').click();
   await expect(panelOf(viewer).getByRole('button', { name: /copied|select/ })).toBeVisible();
   expect(await viewer.evaluate((element: PhongViewer) => element.lights.length)).toBe(2);
-  await viewer.evaluate((element: PhongViewer) => (element.src = '/fixtures/models/not-there.glb'));
+  await assign(viewer, { src: '/fixtures/models/not-there.glb' });
   await expect(viewer.locator('[part=notice]')).toBeVisible();
   expect(
     requests.filter((url) => !url.startsWith(site.origin) && !url.startsWith('data:')),

@@ -2,7 +2,7 @@
 // of changed pictures, bounded pixels.
 
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
-import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
+import { countEverything, countsOf, spentBetween, expectIdle } from '../support/counting.js';
 import { redsShown, reddening, scrollThrough } from './many-viewers.js';
 import { nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
 
@@ -42,7 +42,7 @@ test('viewers share one context and one frame; only those that changed draw', as
     }
   });
   await nextFrame(page);
-  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await expectIdle(page, 300);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, listeners: 0, observers: 0 });
 });
 

@@ -5,6 +5,7 @@ import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, pixelAt, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
 import type { PhongViewer } from '../support/viewer.js';
+import { assign } from '../support/viewer.js';
 
 async function open(page: Page): Promise<Locator> {
   await page.setViewportSize({ width: 1280, height: 800 });
@@ -121,10 +122,10 @@ test('arrow keys move the pixel, and a screen reader hears the sum then', async 
 
 test('a pixel that shows no surface any more is said to show none', async ({ page }) => {
   const viewer = await open(page);
-  await viewer.evaluate((element: PhongViewer) => (element.target = [5, 0, 0]));
+  await assign(viewer, { target: [5, 0, 0] });
   await expect(page.locator('#sum')).toHaveText('This pixel shows no surface now. Point at one.');
   await expect(page.locator('#pixel')).toBeHidden();
-  await viewer.evaluate((element: PhongViewer) => (element.target = [0, -0.04, 0]));
+  await assign(viewer, { target: [0, -0.04, 0] });
   await expect(page.locator('#sum .cell')).toHaveCount(7);
 });
 

@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { linkTo } from '../../support/site-pages.js';
-import { drag, type PhongViewer } from '../support/viewer.js';
+import { drag, type PhongViewer, htmlOf } from '../support/viewer.js';
 
 const SCENE = `<phong-viewer theta="10" phi="70" radius="4" target="0 0 0" gui>
   <phong-light name="sun" position="1 2 3 0"></phong-light>
@@ -36,7 +36,7 @@ async function htmlAt(page: Page, address: string): Promise<string> {
   const other = await page.context().newPage();
   await other.goto(address);
   await allReady(other);
-  const html = await other.locator('phong-viewer').evaluate((v: PhongViewer) => v.toHTML());
+  const html = await htmlOf(other.locator('phong-viewer'));
   await other.close();
   return html;
 }
@@ -87,7 +87,7 @@ test('changes by the panel are written into the markup, and can be changed there
   const viewer = await open(page);
   await viewer.getByRole('checkbox').first().click();
   await expect.poll(() => textOf(page)).toContain('active="false"');
-  const html = await viewer.evaluate((v: PhongViewer) => v.toHTML());
+  const html = await htmlOf(viewer);
   await expect.poll(() => page.url()).not.toContain(linkTo(SCENE));
   expect(await htmlAt(page, page.url())).toBe(html);
   await rewrite(page, SCENE);

@@ -1,7 +1,7 @@
 // Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the
 // browser's functions before any script runs. Playwright's own waiting happens outside the page.
 
-import type { Page } from '@playwright/test';
+import { expect, type Page } from '@playwright/test';
 
 interface Counts {
   /** Requested so far. */
@@ -69,6 +69,11 @@ export async function spentIn(page: Page, ms: number): Promise<Spent> {
   const before = await countsOf(page);
   await new Promise((resolve) => setTimeout(resolve, ms));
   return spentBetween(before, await countsOf(page));
+}
+
+/** The page does nothing for so many milliseconds. */
+export async function expectIdle(page: Page, ms: number, what?: string): Promise<void> {
+  expect(await spentIn(page, ms), what).toEqual(NOTHING);
 }
 
 /** Runs in the page. */

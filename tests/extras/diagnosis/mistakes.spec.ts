@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 import type { ConsoleGuard } from '../../support/console-guard.js';
 import { expect, test } from '../../support/test.js';
 import type { Site } from '../../support/site.js';
-import { nextFrame, settled, type PhongViewer } from '../../element/support/viewer.js';
+import { nextFrame, settled, assign } from '../../element/support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 60, height: 40 };
@@ -231,7 +231,7 @@ test('the code that knows mistakes may fail without consequences', async ({
   const failed = page.waitForEvent('requestfailed');
   const viewer = await mount(scene(light('difuse="red"')), size);
   await failed;
-  await viewer.evaluate((element: PhongViewer) => (element.theta = 5));
+  await assign(viewer, { theta: 5 });
   await settled(viewer);
 });
 

@@ -5,7 +5,7 @@ import type { Locator } from '@playwright/test';
 import { firstOf } from '../../support/repeats.js';
 import { compare, expect, pixels, same, test } from '../../support/test.js';
 import { addressOf, bar } from '../../support/animated-gltf.js';
-import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
+import { countEverything, expectIdle } from '../../element/support/counting.js';
 import { comparedWithPicture, errorOf, isClear, show } from '../explain/shade-at-support.js';
 import { assign, cameraOf, nextFrame, type PhongViewer } from '../../element/support/viewer.js';
 
@@ -33,7 +33,7 @@ test.describe('nothing runs', () => {
   }) => {
     const viewer = await mount(viewerOf(''), SIZE);
     await nextFrame(page);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    await expectIdle(page, 300);
     const still = await pixels(viewer);
     await assign(viewer, { autoplay: true });
     await played(viewer);
@@ -41,14 +41,14 @@ test.describe('nothing runs', () => {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await nextFrame(page);
     const frozen = await pixels(viewer);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    await expectIdle(page, 300);
     same(await pixels(viewer), frozen);
     await page.emulateMedia({ reducedMotion: 'no-preference' });
     await played(viewer);
     await assign(viewer, { autoplay: false });
     await nextFrame(page);
     same(await pixels(viewer), still);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    await expectIdle(page, 300);
   });
 
   test('out of view, and that time does not count', async ({ page, mount }) => {
@@ -60,7 +60,7 @@ test.describe('nothing runs', () => {
     await nextFrame(page);
     await nextFrame(page);
     const before = await pixels(viewer, SIZE);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    await expectIdle(page, 300);
     same(await pixels(viewer, SIZE), before);
     await viewer.evaluate(({ style }: PhongViewer) => (style.top = '0'));
     await played(viewer);

@@ -16,6 +16,7 @@ import {
   record,
   set,
   settled,
+  htmlOf,
 } from '../../element/support/viewer.js';
 
 const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): string =>
@@ -116,9 +117,7 @@ test.describe('a light in the picture', () => {
     await expect(field(folder, 'position x')).toHaveValue(String(position[0]));
     const types = new Set((await events.take()).map(({ type }) => type));
     expect([...types]).toEqual(['light-change']);
-    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
-      `position="${position.join(' ')}"`,
-    );
+    expect(await htmlOf(viewer)).toContain(`position="${position.join(' ')}"`);
     await handle(viewer, 'lamp').press('Control+z');
     expect(await positionOf(viewer)).toEqual(START);
     await handle(viewer, 'lamp').press('Control+Shift+z');
@@ -513,9 +512,7 @@ test.describe('a viewer with helpers', () => {
       await assign(viewer, { helpers: name });
       await expect(viewer.locator('svg text')).toHaveCount(0);
       await expect(paths.first(), name).toBeAttached();
-      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
-        `helpers="${name}"`,
-      );
+      expect(await htmlOf(viewer)).toContain(`helpers="${name}"`);
     }
     await assign(viewer, { helpers: [] });
     await expect(viewer.locator('svg')).toHaveCount(0);

@@ -12,6 +12,9 @@ import {
   type PhongViewer,
   pointerAway,
   settled,
+  htmlOf,
+  cameraOf,
+  statsOf,
 } from '../../element/support/viewer.js';
 
 const LIGHTS = `
@@ -158,7 +161,7 @@ test.describe('a click', () => {
     await drag(page, [280, 130], [40, 0]);
     await nextFrame(page);
     await expect(box(viewer)).not.toHaveClass(/pinned/);
-    expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).not.toBe(0);
+    expect((await cameraOf(viewer)).theta).not.toBe(0);
     await page.mouse.click(280, 130);
     await page.mouse.click(330, 150);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
@@ -240,7 +243,7 @@ test.describe('`probe-at`', () => {
     mount,
   }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
-    const html = (): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
+    const html = (): Promise<string> => htmlOf(viewer);
     const pointIn = (markup: string): string | undefined => /probe-at="([^"]*)"/.exec(markup)?.[1];
     expect(pointIn(await html())).toBe('0 0 0.5');
     await page.mouse.click(330, 150);
@@ -281,10 +284,7 @@ test.describe('the cross-hair', () => {
     await page.keyboard.press('ArrowLeft');
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 190));
     await expect(box(viewer)).not.toHaveClass(/pinned/);
-    expect(
-      await viewer.evaluate((element: PhongViewer) => element.camera.theta),
-      'the camera stays',
-    ).toBe(0);
+    expect((await cameraOf(viewer)).theta, 'the camera stays').toBe(0);
     for (let i = 0; i < 45; i++) {
       await page.keyboard.press('Shift+ArrowLeft');
     }
@@ -501,7 +501,7 @@ test.describe('the box', () => {
     for (let i = 0; i < 5; i++) {
       await nextFrame(page);
     }
-    expect(await viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(0);
+    expect((await statsOf(viewer)).frames).toBe(0);
     await expect(box(viewer)).toBeHidden();
     await viewer.scrollIntoViewIfNeeded();
     await expect(codes(viewer)).toHaveText(/^\d/);

@@ -12,6 +12,8 @@ import {
   type PhongViewer,
   set,
   settled,
+  htmlOf,
+  statsOf,
 } from '../../element/support/viewer.js';
 
 const SIZE = { width: 300, height: 240 };
@@ -145,7 +147,7 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
       await set(viewer, { view });
       await nextFrame(page);
     }
-    rounds.push(await viewer.evaluate((element: PhongViewer) => element.stats.programs));
+    rounds.push((await statsOf(viewer)).programs);
   }
   // The general program, and those of the seven views that no sum of terms shows.
   expect(rounds[0]).toBeLessThanOrEqual(1 + 7);
@@ -276,7 +278,7 @@ test('the markup keeps the view, and the panel writes and follows it', async ({
     width: 900,
     height: 700,
   });
-  const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+  const html = await htmlOf(viewer);
   expect(html).toContain(' view="decay" view-light="lamp"');
   const folder = await opened(viewer, 'Show');
   await expect(choice(folder, 'view')).toHaveValue('decay');

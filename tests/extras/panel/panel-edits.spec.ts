@@ -10,6 +10,7 @@ import {
   type PhongLight,
   type PhongMesh,
   type PhongViewer,
+  htmlOf,
 } from '../../element/support/viewer.js';
 import {
   button,
@@ -86,7 +87,7 @@ test.describe('undo', () => {
     mount,
   }) => {
     const viewer = await mount(scene);
-    const html = () => viewer.evaluate((element: PhongViewer) => element.toHTML());
+    const html = () => htmlOf(viewer);
     const texts = [await html()];
     const folder = await opened(viewer, 'lamp');
     const surface = await opened(viewer, 'Material');
@@ -282,7 +283,7 @@ test('a model file can be chosen for a mesh and for the viewer', async ({
   await choose('choose model file…');
   await expect(titleOf(viewer, 'textured.glb')).toBeVisible();
   await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
-  const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+  const html = await htmlOf(viewer);
   expect(html).toContain('src="textured.glb"');
   await expect(folder).toBeHidden();
   await undo(viewer);

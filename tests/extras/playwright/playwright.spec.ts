@@ -7,6 +7,7 @@ import type { PhongViewer } from '../../element/support/viewer.js';
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
 import { test } from '../../support/test.js';
+import { assign } from '../../element/support/viewer.js';
 
 const SIZE = { width: fullOr(105, 54), height: fullOr(70, 36) };
 /** A pixel inside a face of a box. */
@@ -256,7 +257,7 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(tiny)).toMatch(
       /^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/,
     );
-    await tiny.evaluate((element: PhongViewer) => (element.target = [9, 9, 9]));
+    await assign(tiny, { target: [9, 9, 9] });
     expect(await refusal(tiny, { share: 0 })).toContain('The picture shows no surface.');
     expect(await refusal(tiny, { codes: 0.5 })).toContain('codes must be a whole number');
     expect(await refusal(tiny, { share: 2 })).toContain('share must be from 0 to 1');
@@ -356,7 +357,7 @@ test.describe('settled', () => {
     await expect(settled(moving, { timeout: 1500 })).rejects.toThrow(
       'not settled after 1500 ms: auto-rotate is 20',
     );
-    await moving.evaluate((element: PhongViewer) => (element.autoRotate = 0));
+    await assign(moving, { autoRotate: 0 });
     await settled(moving);
     await page.route('**/never.glb', () => undefined);
     const loading = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {

@@ -2,7 +2,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongProbe } from '../../../src/viewer/index.js';
-import { assign, type PhongViewer } from '../../element/support/viewer.js';
+import { assign } from '../../element/support/viewer.js';
 import { expectNoFaults } from '../../support/axe.js';
 import { expect, type Mount, test } from '../../support/test.js';
 
@@ -375,6 +375,6 @@ test('explains a point of a viewer that was moved by a drag, once a frame', asyn
   const specular = line(page, 'lamp · specular');
   await expect(specular).toBeVisible();
   const before = await formulas(specular);
-  await viewer.evaluate((element: PhongViewer) => (element.theta = 60));
+  await assign(viewer, { theta: 60 });
   await expect.poll(() => formulas(specular)).not.toBe(before);
 });
