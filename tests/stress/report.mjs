@@ -169,8 +169,8 @@ export function readmeText(stacks) {
   const rows = rowsOf(stacks);
   const most = String(Math.max(...rows.map(({ bound }) => bound)));
   return `<!-- contract: written by npm run stress:report -->
-Accuracy: inside triangles, before rounding, errors are below ${boundOf(stacks, 'mild-powers')} of an 8-bit step with shininess to ${mildOf(stacks)}, and ${most} to 1e6,
-times lights and material where brighter than full ([report](tests/stress/REPORT.md)).
+Accuracy: inside triangles, before rounding, errors are below ${boundOf(stacks, 'mild-powers')} of an 8-bit step with shininess to ${mildOf(stacks)}
+and cutoff to 10,000, and ${most} to 1e6, times lights and material where brighter than full ([report](tests/stress/REPORT.md)).
 <!-- /contract -->`;
 }
 
@@ -201,7 +201,7 @@ const mildOf = (stacks) =>
 function brightness(stacks) {
   const limit = (/** @type {string} */ id) =>
     String(Math.floor(10 / (boundOf(stacks, id) ?? NaN)) / 10);
-  return `up to ${limit('mild-powers')} times full with shininess to ${mildOf(stacks)}, ${limit('shininess-1e5')} to 1e5 and ${limit('shininess-1e6')} to 1e6`;
+  return `up to ${limit('mild-powers')} times full with shininess to ${mildOf(stacks)} and cutoff to 10,000, ${limit('shininess-1e5')} to 1e5 and ${limit('shininess-1e6')} to 1e6`;
 }
 
 /**
