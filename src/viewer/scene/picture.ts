@@ -60,9 +60,8 @@ export class Picture {
   readonly #meshes = new Set<SceneMesh>();
   readonly #changed: () => void;
   readonly #fitted: () => void;
+  /** Counts the changes of anything but lights. */
   #version = 0;
-  /** Versions that changed nothing but lights. */
-  #relit = 0;
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
@@ -74,7 +73,7 @@ export class Picture {
   /** `changed`: another version is to be drawn. `fitted`: `auto` has moved the camera. */
   constructor(lights: LightSet, changed: () => void, fitted: () => void) {
     this.lighting = new PhongLighting(lights);
-    lights.changed.listen(() => this.invalidate(true));
+    lights.changed.listen(changed);
     this.materials = new SharedMaterials(this.lighting);
     this.nothing = new ShownContent(NO_CONTENT, null, null, new FieldStore(MESH_FIELDS), this);
     this.#changed = changed;
@@ -92,13 +91,12 @@ export class Picture {
    * the same.
    */
   get version(): number {
-    return this.#version;
+    return this.#version + this.lighting.lights.version;
   }
 
-  /** It is to be drawn again. `relit`: only lights have changed. */
-  invalidate(relit = false): void {
+  /** It is to be drawn again: something other than a light has changed. */
+  invalidate(): void {
     this.#version += 1;
-    this.#relit += Number(relit);
     this.#changed();
   }
 
@@ -224,7 +222,7 @@ export class Picture {
     const { frame, scene } = this;
     this.settle();
     this.updateMatrices();
-    if (frame.update(this.fit.fov, size, samples, this.#version - this.#relit, share)) {
+    if (frame.update(this.fit.fov, size, samples, this.#version, share)) {
       this.levels.choose(frame, this.fit.measure().bounds);
     }
     frame.aim(scene, this.fit.depthBounds());
@@ -257,11 +255,11 @@ export class Picture {
       frame.show(part);
     }
     // The samples of one picture have its lights, and count as no frames for programs.
-    if (frame.samples === 1 || this.#lit !== this.#version) {
+    if (frame.samples === 1 || this.#lit !== this.version) {
       lighting.updateFrame(frame.shading, frame.camera);
       this.#specialise();
     }
-    this.#lit = this.#version;
+    this.#lit = this.version;
     lighting.space.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
     this.#drawCalls = renderer.info.render.calls;
