@@ -85,7 +85,8 @@ export function checked(source: string): { readonly glsl: string } | { readonly 
         most: MOST_CHARACTERS,
       });
     }
-    const bare = withoutComments(source.replace(/\r\n?/g, '\n'));
+    // With every kind of space that editors and web pages put in, and a mark at the beginning.
+    const bare = withoutComments(source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' '));
     const tokens = withConstants(withoutMacros(bare));
     new Reading(tokens).check();
     return { glsl: textOf(tokens) };
@@ -103,8 +104,10 @@ function withoutComments(source: string): string {
     return ` ${comment.replace(/[^\n]/g, '')}`;
   });
   for (const [i, line] of bare.split('\n').entries()) {
-    const [character] = /[^\t\f\v -~]|["'$@\\`]/.exec(line) ?? [];
-    if (character !== undefined) {
+    const [found] = /[^ -~]|["'$@\\`]/u.exec(line) ?? [];
+    if (found !== undefined) {
+      // Some are invisible, or look like a letter.
+      const character = `${found} (U+${found.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0')})`;
       throw new Refused('This character is not allowed here: {character}', i + 1, { character });
     }
   }

@@ -137,6 +137,7 @@ ${changed(
   [`pow(max(dot(R, V), 0.0), m.shininess)`, 'lobe(N, L, V, m.shininess)'],
   ['m.kd * light.diffuse * max(NoL, 0.0)', 'positive(m.kd * light.diffuse * NoL)'],
 )}`,
+  'with spaces from elsewhere': `\uFEFF${RIGHT.replaceAll('  ', '\u00A0 ')}`,
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 
@@ -504,6 +505,7 @@ ${HEAD} return vec3(f30()); }`,
     `float g(float x) { return x; }\n${HEAD} return vec3(${'g('.repeat(3000)}p.x${')'.repeat(3000)}); }`,
     'The function does too much',
   ],
+  'a letter that looks like another': [RIGHT.replace('NoL', 'NоL'), '(U+043E)'],
   'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],
   'too long': [`${RIGHT}\n${'//'.padEnd(25_000, 'x')}`, 'The text is too long'],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
