@@ -33,7 +33,7 @@ export function runFor<Result>(
  * Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a
  * request.
  */
-const nextTask = async (): Promise<void> =>
+const nextTask = (): Promise<void> =>
   new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

@@ -130,14 +130,14 @@ export class Batches {
    * took.
    */
   #fit(): void {
-    const size = (ms: number): number => (this.#sent * BATCH_MS) / ms;
+    const wanted = this.#sent * BATCH_MS; // over the time that was taken
     if (this.#finished < BATCH_MS) {
-      this.#size = Math.min(Math.ceil(size(this.#finished)), 2 * this.#size);
+      this.#size = Math.min(Math.ceil(wanted / this.#finished), 2 * this.#size);
     }
     // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of
     // its time.
     else if (this.#running > BATCH_MS && !this.#isFirst) {
-      this.#size = Math.max(1, this.#size >> 1, Math.floor(size(this.#running)));
+      this.#size = Math.max(1, this.#size >> 1, Math.floor(wanted / this.#running));
     }
   }
 
