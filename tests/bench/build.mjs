@@ -13,10 +13,9 @@ import { casterCode } from '../support/cast.mjs';
 import { writeFirstModels, writeModels } from './models.mjs';
 import { PAGE_NAMES } from './pages.mjs';
 import { copyPeers, installPeers } from './peers/install.mjs';
+import { repository } from '../support/repository.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
-const repository = fileURLToPath(new URL('../..', import.meta.url));
-
 /**
  * @typedef {object} BuiltFrom
  * @property {Record<string, string>} versions revision and packages

@@ -3,8 +3,7 @@
 import { expect, test } from '../support/test.js';
 import type { Report } from './page/page.js';
 import type { Driver } from './worst-driver.js';
-
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+import { SEED } from '../support/repeats.js';
 
 interface ContractRun {
   readonly driver: Driver;

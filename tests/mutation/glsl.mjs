@@ -5,15 +5,14 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
-import { fileURLToPath } from 'node:url';
 import { launchOptions } from '../support/built-pages.mjs';
 import { glslMutants } from './glsl-mutants.mjs';
 import { drawn } from './sample.mjs';
+import { repository } from '../support/repository.mjs';
 
 /** @typedef {import('./typescript.mjs').Result} Result */
 /** @typedef {{ name: string, from: string, to: string }} Mutant */
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Enough that the shipped chunks pass whatever the seed, and few enough for a mutant a second. */
 const EXTENT = { seed: 1, checks: 1024, cases: 20_000 };
 /** A survivor takes a tenth of it. */

@@ -1,10 +1,9 @@
 // Bundles a script as a user's bundler does. The script may import packages of this repository or
 // files of dist/.
 
-import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
+import { repository } from '../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 const entry = 'script-of-a-user';
 
 interface BundleOptions {

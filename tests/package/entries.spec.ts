@@ -4,11 +4,11 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { repository } from '../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 const dist = outputFolder('dist');
 
 const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {

@@ -3,11 +3,10 @@
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { repository } from '../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 const dist = outputFolder('dist');
 
 /** The first comment of a file below dist/; empty where it begins with code. */

@@ -17,12 +17,12 @@ import { dirname, join, resolve } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import {
   EXTRAS,
-  repository,
   TABLE,
   tableWithout,
   typeErrors,
   withDependents,
 } from '../support/without-extra.js';
+import { repository } from '../support/repository.mjs';
 
 /** What the build and the tests read. */
 const COPIED = [

@@ -7,7 +7,8 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import type { PhongViewer } from '../element/support/viewer.js';
-import { pageOf, repository, useFreshProject } from './fresh-project.js';
+import { pageOf, useFreshProject } from './fresh-project.js';
+import { repository } from '../support/repository.mjs';
 
 const body =
   '<script type="module" src="./main.js"></script>' +

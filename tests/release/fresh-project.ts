@@ -14,13 +14,11 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { startSite, strictPolicy } from '../support/site.js';
 import { allReady, test } from '../support/test.js';
-
-export const repository = fileURLToPath(new URL('../..', import.meta.url));
+import { repository } from '../support/repository.mjs';
 
 export const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
   readonly version: string;

@@ -7,8 +7,8 @@ import { Random } from '../stress/random.js';
 import { launchOptions } from '../support/built-pages.mjs';
 import { startSite, testMounts, wasmPolicy } from '../support/site.js';
 import { expect, test } from '../support/test.js';
+import { SEED } from '../support/repeats.js';
 
-const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const COUNT = 300;
 const files = ['ktx2', 'ktx2-etc1s'].map((name) =>
   readFileSync(new URL(`../fixtures/models/${name}.glb`, import.meta.url)),
@@ -30,14 +30,14 @@ function damaged(random: Random): Buffer {
 // does in damaged files.
 test.use({ launchOptions: await launchOptions('', []) });
 
-test(`@release ${COUNT} damaged textures end in events (seed ${FIRST})`, async ({
+test(`@release ${COUNT} damaged textures end in events (seed ${SEED})`, async ({
   browser,
   consoleGuard,
   page,
 }) => {
   consoleGuard.allow(/images\[0\]/);
   test.setTimeout(900_000);
-  const random = new Random(FIRST);
+  const random = new Random(SEED);
   const site = await startSite(testMounts, wasmPolicy);
   await page.goto(
     site.page('<phong-viewer></phong-viewer>', {
@@ -57,7 +57,7 @@ test(`@release ${COUNT} damaged textures end in events (seed ${FIRST})`, async (
     expect(outcome, `file ${i}`).toMatch(/^(load|bad-model|too-large)$/);
     outcomes[outcome] = (outcomes[outcome] ?? 0) + 1;
   }
-  console.log(`seed ${FIRST}: ${JSON.stringify(outcomes)}`);
+  console.log(`seed ${SEED}: ${JSON.stringify(outcomes)}`);
   expect(await load(viewer, '/fixtures/models/ktx2.glb')).toBe('load');
   await site.close();
 });

@@ -8,8 +8,8 @@ import { logGl } from '../element/support/gl-log.js';
 import { fuzzModels } from '../fuzz/model-run.js';
 import { testContract } from '../glsl/contract-run.js';
 import { test } from '../support/test.js';
+import { SEED } from '../support/repeats.js';
 
-const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const HOUR = 3_600_000;
 
 // Of glsl/stress.spec.ts: all lights of the long programs at once, and drivers that err in one
@@ -21,14 +21,14 @@ for (const driver of ['up', 'down', 'either'] as const) {
 
 // Of element/faults/fault-histories.spec.ts, with pictures of 9000 × 9000 pixels.
 const FAULTS = Number(process.env['PHONG_VIEWER_FAULTS'] ?? 120);
-test(`@release pages recover from long random faults (seeds from ${FIRST})`, async ({
+test(`@release pages recover from long random faults (seeds from ${SEED})`, async ({
   page,
   mount,
   consoleGuard,
 }) => {
   test.setTimeout(HOUR / 2);
   const long = { tasks: 40, withLargest: true };
-  await expectRecovery({ page, mount, consoleGuard }, seedsFrom(FIRST, FAULTS), long);
+  await expectRecovery({ page, mount, consoleGuard }, seedsFrom(SEED, FAULTS), long);
 });
 
 // Of element/histories/histories.spec.ts.
@@ -40,12 +40,12 @@ for (const [what, kind] of [
 ] as const) {
   test(`@release ${what}`, async ({ page, mount, site, consoleGuard }) => {
     test.setTimeout(HOUR / 2);
-    await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6, kind);
+    await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(SEED, WALKS), 6, kind);
   });
 }
 
 // Of element/models/fuzz-models.spec.ts, whose seeds are below 100.
-for (let seed = FIRST + 99; seed < FIRST + 105; seed++) {
+for (let seed = SEED + 99; seed < SEED + 105; seed++) {
   test(`@release 400 hostile models end in events (seed ${seed})`, async ({
     browser,
     page,
@@ -73,13 +73,13 @@ test('@release zooms of 150 frames show no jump and no blank frame', async ({ pa
 });
 
 // Of element/frames/programs.spec.ts.
-test(`@release walks of 400 steps make a general program per feature set (seed ${FIRST})`, async ({
+test(`@release walks of 400 steps make a general program per feature set (seed ${SEED})`, async ({
   page,
   mount,
 }) => {
   test.setTimeout(HOUR / 2);
   await logGl(page);
-  for (let seed = FIRST; seed < FIRST + 5; seed++) {
+  for (let seed = SEED; seed < SEED + 5; seed++) {
     const viewer = await mount('<phong-viewer></phong-viewer>', { width: 60, height: 42 });
     await expectFewPrograms(page, viewer, seed, 400);
   }

@@ -7,7 +7,8 @@ import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
-import { manifest, repository, strictOptions, useFreshProject } from './fresh-project.js';
+import { manifest, strictOptions, useFreshProject } from './fresh-project.js';
+import { repository } from '../support/repository.mjs';
 
 /** Light number `i` of many: all light up a plane seen from above. */
 const lamp = (_: unknown, i: number): string =>

@@ -8,8 +8,8 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
 import { table, writePart } from '../support/markdown.mjs';
+import { repository } from '../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 const here = join(repository, 'tests/stress');
 const USAGE = `
 npm run stress:report -- [options]: writes REPORT.md and the README's sentence from the results

@@ -2,7 +2,13 @@
 // it otherwise: the first repetitions find nearly everything, and mutants run them thousands of
 // times.
 
-const RELEASE = typeof process !== 'undefined' && process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+// Some of these tests run in pages.
+const environment = typeof process === 'undefined' ? {} : process.env;
+
+export const RELEASE = environment['PHONG_VIEWER_RELEASE'] !== undefined;
+
+/** The first seed of this run's random tests. */
+export const SEED = Number(environment['PHONG_VIEWER_SEED'] ?? 1);
 
 /**
  * The number of repetitions in this run, for a test with `count` in a release run. At least one.

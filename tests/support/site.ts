@@ -6,9 +6,9 @@ import { createReadStream, statSync } from 'node:fs';
 import { createServer, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { TYPES } from './built-pages.mjs';
+import { repository } from './repository.mjs';
 
 /** The strict policy: no inline code or style, no eval, no `blob:` worker. */
 export const strictPolicy =
@@ -53,8 +53,6 @@ interface Stored {
   readonly csp: string;
   readonly gzip?: boolean;
 }
-
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Address prefix to folder, for the tests of this repository. */
 export const testMounts: Readonly<Record<string, string>> = {

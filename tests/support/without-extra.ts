@@ -3,11 +3,9 @@
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 import { layers } from '../../.ci/layers.mjs';
-
-export const repository = fileURLToPath(new URL('../..', import.meta.url));
+import { repository } from './repository.mjs';
 
 export const TABLE = 'src/viewer/extras.ts';
 

@@ -4,14 +4,13 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { guide } from '../../.ci/site/contents.js';
 import { anchorOf } from '../../.ci/site/markdown.js';
 import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
 import { layoutDefines } from '../../src/phong/light/light-layout.js';
+import { repository } from '../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Every page of the repository. */
 const documents = execFileSync(
   'git',

@@ -6,8 +6,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 import { expect, it } from 'vitest';
-
-const repository = fileURLToPath(new URL('../..', import.meta.url));
+import { repository } from '../support/repository.mjs';
 
 /** Tokens of a file, as TypeScript's parser splits it. */
 function tokensOf(path: string): number {

@@ -10,13 +10,12 @@ import { compare, expect, type Mount, type Picture, pixels, test } from '../supp
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, randomMesh, randomScene, sceneMarkup } from './random-scene.js';
 import type { DeclaredScene } from './ray-cast.js';
+import { SEED, fullOr } from '../support/repeats.js';
 
 const SIZE = { width: 84, height: 60 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
-const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 5));
-const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
-const SEEDS = `seeds ${FIRST} to ${FIRST + SCENES - 1}`;
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(200, 5));
+const SEEDS = `seeds ${SEED} to ${SEED + SCENES - 1}`;
 
 /**
  * Share of the channels that may differ where another program, or another order of the same sum, is
@@ -96,7 +95,7 @@ async function forEachLikeness(
     css: 'main { display: none }',
   });
   const main = viewer.page().locator('main');
-  for (let seed = FIRST; seed < FIRST + SCENES; seed++) {
+  for (let seed = SEED; seed < SEED + SCENES; seed++) {
     const scene = sceneOf(seed);
     const dice = new Dice(seed);
     const scenes = [scene, ...Object.values(laws).map((law) => law(scene, dice, seed))];

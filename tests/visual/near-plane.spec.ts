@@ -4,14 +4,13 @@ import { basisOf } from '../../src/phong/camera/orbit.js';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { createGeometry } from '../../src/phong/model/shapes/shapes.js';
 import { Tracer } from '../../src/extras/still/tracer.js';
-import { firstOf, fullOr } from '../support/repeats.js';
+import { firstOf, fullOr, SEED } from '../support/repeats.js';
 import { expect, type Picture, pixels, test } from '../support/test.js';
 import { expectNoHoles, markupOf } from './coverage.js';
 import { floorsOfAllSizes, LOW_EYES, randomLowEye } from './low-eyes.js';
 import { BLACK, trianglesOf } from './ray-cast.js';
 
 const SIZE = { width: 40, height: 30 };
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 /** Scenes on one page. */
 const AT_ONCE = 50;
 

@@ -9,13 +9,12 @@ import { type LightShare, shade } from '../../src/phong/reference/index.js';
 import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
 import { expect, pixels, same, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';
-import { firstOf, fullOr, repeats } from '../support/repeats.js';
+import { firstOf, fullOr, repeats, SEED } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
 import { randomScene, sceneMarkup } from './random-scene.js';
 import { cameraOf, type DeclaredScene } from './ray-cast.js';
 
 const SIZE = { width: 60, height: 42 };
-const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 /** Views whose colour is a number of the fragment itself. */
 const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles'].includes(view));
@@ -52,12 +51,12 @@ for (const [what, geometry, shading, scenes] of [
   ['random scenes on a plane', 'plane', 'phong', repeats(60)],
   ['random boxes in flat shading', 'box', 'flat', repeats(40)],
 ] as const) {
-  test(`shows each quantity of ${what} within one code, seeds from ${FIRST}`, async ({ mount }) => {
+  test(`shows each quantity of ${what} within one code, seeds from ${SEED}`, async ({ mount }) => {
     test.setTimeout(1_800_000);
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     let compared = 0;
     let exact = 0;
-    for (let seed = FIRST; seed < FIRST + scenes; seed++) {
+    for (let seed = SEED; seed < SEED + scenes; seed++) {
       const scene = randomScene(seed, geometry);
       const markup = sceneMarkup(scene, shading);
       await viewer.evaluate((element, text) => (element.outerHTML = text), markup);

@@ -12,6 +12,7 @@ import { sceneMarkup } from '../../visual/random-scene.js';
 import type { CastMesh, DeclaredScene } from '../../visual/ray-cast.js';
 import { glSpent, logGl, type GlSpent } from '../support/gl-log.js';
 import { nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';
+import { RELEASE } from '../../support/repeats.js';
 
 const size = { width: 60, height: 42 };
 
@@ -179,8 +180,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
   );
 }
 
-const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 7, 40];
+const COUNTS = RELEASE ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 7, 40];
 
 test('one to forty lights that change together cost a frame, an upload and no program', async ({
   page,

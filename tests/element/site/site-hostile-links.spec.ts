@@ -9,7 +9,7 @@ import type { Page } from '@playwright/test';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
 import { startSite } from '../../support/site.js';
 import { allReady, expect, test } from '../../support/test.js';
-import { firstOf } from '../../support/repeats.js';
+import { firstOf, RELEASE } from '../../support/repeats.js';
 import { linkTo } from '../../support/site-pages.js';
 import type { PhongViewer } from '../support/viewer.js';
 
@@ -104,14 +104,12 @@ async function harm(page: Page): Promise<string[]> {
   });
 }
 
-const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-
 /**
  * On a new page in a release run; otherwise the open playground follows the changed address, as it
  * does for a link in a message.
  */
 async function openLink(page: Page, link: string): Promise<void> {
-  if (release) {
+  if (RELEASE) {
     await page.goto('about:blank');
   }
   await page.goto(`/demo/${link}`);

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { expect as equationExpect } from '../../support/built-playwright.js';
 import { patch, type Texel } from '../../support/gltf.js';
-import { firstOf, fullOr } from '../../support/repeats.js';
+import { firstOf, fullOr, SEED } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { randomScene, sceneMarkup } from '../../visual/random-scene.js';
 import { comparedWithPicture, type Compared, errorOf, isClear, show } from './shade-at-support.js';
@@ -13,7 +13,6 @@ import { assign, cameraOf, type PhongViewer } from '../../element/support/viewer
 const SIZE = { width: 160, height: 120 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 2));
-const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 class Tally {
   max = 0;
@@ -46,7 +45,7 @@ test.describe('shadeAt explains the picture', () => {
     const tally = new Tally();
     for (const geometry of ['plane', 'box', 'sphere', 'torus'] as const) {
       for (const [i, shading] of ['phong', 'flat', 'gouraud'].entries()) {
-        for (let seed = FIRST + i; seed < FIRST + 3 * SCENES; seed += 3) {
+        for (let seed = SEED + i; seed < SEED + 3 * SCENES; seed += 3) {
           const scene = randomScene(seed, geometry === 'torus' ? 'sphere' : geometry);
           const far = seed % 2 === 0 ? ([1e6, -3e6, 2e6] as const) : ([0, 0, 0] as const);
           const sphere = sceneMarkup(moved(scene, far), shading);

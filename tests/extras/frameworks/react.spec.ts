@@ -4,7 +4,7 @@
 
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import type { PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
@@ -12,8 +12,8 @@ import type { ConsoleGuard } from '../../support/console-guard.js';
 import type { Site } from '../../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../../support/test.js';
 import { bundleOf } from '../../package/bundle.js';
+import { repository } from '../../support/repository.mjs';
 
-const repository = fileURLToPath(new URL('../../..', import.meta.url));
 const components = join(outputFolder('dist'), 'react.js');
 
 /** A component `App`. Its buttons say what they do. */

@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { still } from '../../../src/extras/still/index.js';
@@ -12,6 +12,7 @@ import { bundleOf } from '../../package/bundle.js';
 import { Requests } from '../../package/requests.js';
 import { expect, test } from '../../support/test.js';
 import { cameraOf, holdBack, type PhongViewer } from '../../element/support/viewer.js';
+import { repository } from '../../support/repository.mjs';
 
 // The pointer rests in the corner.
 const css = 'body { margin: 60px } phong-viewer { display: block; width: 300px; height: 200px }';
@@ -294,7 +295,6 @@ test('a poster by the command differs from the picture that takes over only at o
   expect(apart).toBe(0);
 });
 
-const repository = fileURLToPath(new URL('../../..', import.meta.url));
 const app = (file: string): string => `
   import { createElement as h } from 'react';
   import { PhongLight, PhongViewer } from ${JSON.stringify(file)};

@@ -4,11 +4,8 @@
 import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { ModelError, type Content } from '../../../src/phong/model/model.js';
-import { fullOr } from '../../support/repeats.js';
+import { fullOr, SEED } from '../../support/repeats.js';
 import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
-
-/** Others: PHONG_VIEWER_SEED=1000. */
-const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 const RUNS = fullOr(20_000, 200);
 
@@ -146,13 +143,13 @@ heardWarnings(); // of files that are missing
 beforeEach(() => void standInImages());
 
 describe('every file is a model or a ModelError', () => {
-  it.each(SOUND)(`where %s is damaged (seed ${seed})`, async (damaged, files) => {
+  it.each(SOUND)(`where %s is damaged (seed ${SEED})`, async (damaged, files) => {
     await requireOutcome(files);
     await fc.assert(
       fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 6 }), async (changes) => {
         await requireOutcome({ ...files, [damaged]: changed(files[damaged]!, changes) });
       }),
-      { seed, numRuns: RUNS },
+      { seed: SEED, numRuns: RUNS },
     );
   });
 
@@ -193,14 +190,14 @@ describe('every file is a model or a ModelError', () => {
     '.',
     '1e',
   ];
-  it(`where a text is made of the words of OBJ (seed ${seed})`, async () => {
+  it(`where a text is made of the words of OBJ (seed ${SEED})`, async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(fc.constantFrom(...words), { maxLength: 80 }), async (list) => {
         await requireOutcome({
           'a.obj': encoder.encode(`v 0 0 0\nv 1 0 0\nv 0 1 0\n${list.join(' ')}`),
         });
       }),
-      { seed, numRuns: RUNS },
+      { seed: SEED, numRuns: RUNS },
     );
   });
 
@@ -222,7 +219,7 @@ describe('every file is a model or a ModelError', () => {
     'obj_info x',
     'end_header',
   ];
-  it(`where a header is made of the lines of PLY (seed ${seed})`, async () => {
+  it(`where a header is made of the lines of PLY (seed ${SEED})`, async () => {
     const format = fc.constantFrom('ascii', 'binary_little_endian', 'binary_big_endian');
     await fc.assert(
       fc.asyncProperty(
@@ -234,7 +231,7 @@ describe('every file is a model or a ModelError', () => {
           await requireOutcome({ 'a.ply': new Uint8Array([...head, ...body]) });
         },
       ),
-      { seed, numRuns: RUNS },
+      { seed: SEED, numRuns: RUNS },
     );
   });
 });

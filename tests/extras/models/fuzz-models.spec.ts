@@ -1,8 +1,7 @@
 // A few hostile models, as a sample of what tests/release/long-forms.spec.ts loads by the thousand.
 import { fuzzModels } from '../../fuzz/model-run.js';
 import { test } from '../../support/test.js';
-
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+import { SEED } from '../../support/repeats.js';
 
 test(`twelve hostile models end in events (seed ${SEED})`, async ({
   browser,

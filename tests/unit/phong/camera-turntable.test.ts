@@ -5,10 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
 import { turnedBy, Turntable } from '../../../src/phong/camera/turntable.js';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
-import { repeats } from '../../support/repeats.js';
+import { repeats, SEED } from '../../support/repeats.js';
 import { seeded } from '../../visual/random-scene.js';
-
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 const HOUR = 3_600_000;
 /** Twelve in a release run. */

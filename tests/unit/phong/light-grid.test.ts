@@ -10,12 +10,11 @@ import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { emptyPack, type PackedLights } from '../../../src/phong/light/pack-lights.js';
 import { radians } from '../../../src/phong/math/angle.js';
 import { cross, dot, length, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
-import { fullOr } from '../../support/repeats.js';
+import { fullOr, SEED } from '../../support/repeats.js';
 import { float32, Random } from '../../stress/random.js';
 import { light } from '../arbitraries.js';
 import { pack } from '../packed-reader.js';
 
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const FLOOR: Box = [-10, 0, -10, 10, 0, 10];
 const ROOM: Box = [-4, -3, -2, 4, 3, 2];
 const DOWN: Vec3 = [0, -1, 0];

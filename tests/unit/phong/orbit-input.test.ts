@@ -5,10 +5,8 @@ import { describe, expect, it, vi } from 'vitest';
 import { Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
 import { OrbitInput } from '../../../src/phong/camera/orbit-input.js';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
-import { fullOr } from '../../support/repeats.js';
+import { fullOr, SEED } from '../../support/repeats.js';
 import { seeded } from '../../visual/random-scene.js';
-
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 class FakeSurface extends EventTarget {
   readonly captured = new Set<number>();
