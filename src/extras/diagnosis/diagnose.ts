@@ -19,12 +19,12 @@ const MOST = 100;
 const given = new Set<string>();
 
 export function diagnose(elements: readonly Element[], tests: MistakeTests): void {
-  const known = new Map<string, readonly string[]>();
+  const attributesByTag = new Map<string, readonly string[]>();
   for (const tag of ALL_TAGS) {
     const definition = customElements.get(tag) as
       | { readonly observedAttributes?: readonly string[] }
       | undefined;
-    known.set(tag, definition?.observedAttributes ?? []);
+    attributesByTag.set(tag, definition?.observedAttributes ?? []);
   }
   for (const element of elements) {
     const tag = element.localName;
@@ -34,7 +34,7 @@ export function diagnose(elements: readonly Element[], tests: MistakeTests): voi
       warn(quoted); // the other strays are words of the value
     } else {
       for (const name of strays) {
-        const advice = attributeAdvice(tag, name, known);
+        const advice = attributeAdvice(tag, name, attributesByTag);
         if (advice !== undefined) {
           warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
         }
@@ -373,20 +373,20 @@ const GLOBAL = new Set(
 export function attributeAdvice(
   tag: string,
   attribute: string,
-  known: ReadonlyMap<string, readonly string[]>,
+  attributesByTag: ReadonlyMap<string, readonly string[]>,
 ): string | undefined {
   if (GLOBAL.has(attribute)) return undefined;
   const word = attribute.replaceAll('-', '');
   for (const [advice, guesses] of Object.entries(GUESSES[tag] ?? {})) {
     if (guesses.split(' ').includes(word)) return advice;
   }
-  const owners = [...known.keys()].filter(
-    (other) => known.get(other)?.includes(attribute) === true,
+  const owners = [...attributesByTag.keys()].filter(
+    (other) => attributesByTag.get(other)?.includes(attribute) === true,
   );
   // A viewer's `name` may be the page's own.
   if (owners.length > 0 && attribute !== 'name') {
     return `It belongs to <${owners.join('> and <')}>.`;
   }
-  const meant = nearest(attribute, known.get(tag) ?? []);
+  const meant = nearest(attribute, attributesByTag.get(tag) ?? []);
   return meant === undefined ? undefined : `Did you mean ${meant}?`;
 }

@@ -190,9 +190,9 @@ function texelsOf(map: Texture): Texels {
     throw new Error('compressed textures cannot be read');
   }
   const image = map.image as Image;
-  const known = read.get(image) ?? readTexels(image);
-  read.set(image, known);
-  return known;
+  const texels = read.get(image) ?? readTexels(image);
+  read.set(image, texels);
+  return texels;
 }
 
 /**

@@ -41,7 +41,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
   const { signal } = transfer;
   let loaded = 0;
   let total = 0;
-  let known = true;
+  let isTotalKnown = true;
   let claimed = 0;
   /** When data came last, for any of the files: the others may wait for their turn. */
   const heard = { at: 0 };
@@ -68,7 +68,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     const from = new URL(response.url || url);
     const expected = expectedLength(response);
     if (expected === 0) {
-      known = false;
+      isTotalKnown = false;
     }
     total += expected;
     const reader = response.body?.getReader();
@@ -88,7 +88,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
         size += chunk.byteLength;
         loaded += chunk.byteLength;
         claim(loaded);
-        transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
+        transfer.onProgress?.(loaded, isTotalKnown && loaded <= total ? total : 0);
       }
       // Another length may have been announced than came, or none.
       const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);

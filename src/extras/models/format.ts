@@ -91,10 +91,10 @@ function isObj(bytes: Uint8Array): boolean {
     start.pop(); // cut in the middle
   }
   const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
-  const known = words.every(
+  const areKeywords = words.every(
     (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
   );
-  return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
+  return areKeywords && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 
 /** A format that people bring and that cannot be read. */

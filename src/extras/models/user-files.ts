@@ -171,9 +171,9 @@ function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   const exact = files.get(wanted);
   if (exact) return exact;
   const lower = wanted.toLowerCase();
-  const named = [...files].filter(([known]) => lastOf(known).toLowerCase() === lastOf(lower));
+  const named = [...files].filter(([name]) => lastOf(name).toLowerCase() === lastOf(lower));
   const [, found] =
-    (named.length === 1 ? named[0] : named.find(([known]) => known.toLowerCase() === lower)) ?? [];
+    (named.length === 1 ? named[0] : named.find(([name]) => name.toLowerCase() === lower)) ?? [];
   return found;
 }
 

@@ -124,11 +124,14 @@ export function rowOf(
     };
     return { ...row, source };
   }
-  const known = <T>(row: Row<T, Editable>, read: (value: unknown) => T) =>
+  const readAs = <T>(row: Row<T, Editable>, read: (value: unknown) => T) =>
     mapped(row, read, (value) => value);
   if (kind === 'numbers') {
-    return known(vector(name, linear(-10, 10, 0.05)), (value) => (value ?? [0, 0, 0]) as [0, 0, 0]);
+    return readAs(
+      vector(name, linear(-10, 10, 0.05)),
+      (value) => (value ?? [0, 0, 0]) as [0, 0, 0],
+    );
   }
-  if (kind === 'text') return known(text(name), String);
-  return known(flag(name), Boolean);
+  if (kind === 'text') return readAs(text(name), String);
+  return readAs(flag(name), Boolean);
 }

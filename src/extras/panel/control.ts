@@ -91,10 +91,13 @@ class Control extends ExtraElement<ControlValues> {
     if (ids.trim() === '') {
       this.warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
     }
-    const known = Array.from(document.querySelectorAll(Object.keys(ROWS).join()), (one) => one.id);
+    const present = Array.from(
+      document.querySelectorAll(Object.keys(ROWS).join()),
+      (one) => one.id,
+    );
     for (const id of this.#ids) {
       const found = this.byId(id);
-      const meant = nearest(id, known);
+      const meant = nearest(id, present);
       const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
       if (found === null) {
         if (!this.#met.has(id)) {

@@ -12,13 +12,13 @@ export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
 const defaults = new WeakMap<object, object>();
 
 function defaultsOf<V extends object>(fields: Fields<V>): V {
-  let known = defaults.get(fields);
-  if (known === undefined) {
+  let values = defaults.get(fields);
+  if (values === undefined) {
     const entries = Object.entries<Field<unknown>>(fields);
-    known = Object.fromEntries(entries.map(([key, { fallback }]) => [key, fallback]));
-    defaults.set(fields, known);
+    values = Object.fromEntries(entries.map(([key, { fallback }]) => [key, fallback]));
+    defaults.set(fields, values);
   }
-  return known as V;
+  return values as V;
 }
 
 const NONE: readonly never[] = [];

@@ -10,8 +10,8 @@ const TWICE_FROM = 6;
  * The word of `words` that is one edit from `word`, or two from six letters on; undefined for none.
  */
 export const nearest = (word: string, words: readonly string[]): string | undefined =>
-  words.find((known) => isWithin(1, word, known)) ??
-  words.find((known) => known.length >= TWICE_FROM && isWithin(2, word, known));
+  words.find((other) => isWithin(1, word, other)) ??
+  words.find((other) => other.length >= TWICE_FROM && isWithin(2, word, other));
 
 /** The end of a message about `word`: a question, or nothing. */
 export function didYouMean(word: string, words: readonly string[]): string {

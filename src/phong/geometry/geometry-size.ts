@@ -39,7 +39,7 @@ interface Measured {
   readonly declaredFor: number | null;
 }
 
-const known = new WeakMap<BufferGeometry, Measured>();
+const sizes = new WeakMap<BufferGeometry, Measured>();
 
 /**
  * Null where the geometry has no vertex. Measured with the first call, and kept until {@link
@@ -79,7 +79,7 @@ export async function measureInSlices(geometry: BufferGeometry, slices: Pauses):
 
 /** Replaces the measured size of a geometry, until its vertices are written to. */
 export function declareSize(geometry: BufferGeometry, size: GeometrySize): void {
-  known.set(geometry, { size, declaredFor: versionOf(geometry) });
+  sizes.set(geometry, { size, declaredFor: versionOf(geometry) });
 }
 
 const versionOf = (geometry: BufferGeometry): number =>
@@ -88,15 +88,15 @@ const versionOf = (geometry: BufferGeometry): number =>
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
 export function shareSize(geometry: BufferGeometry, copy: BufferGeometry): void {
   const size = sizeOf(geometry);
-  const isDeclared = known.get(geometry)?.declaredFor === versionOf(geometry);
-  known.set(copy, { size, declaredFor: isDeclared ? versionOf(copy) : null });
+  const isDeclared = sizes.get(geometry)?.declaredFor === versionOf(geometry);
+  sizes.set(copy, { size, declaredFor: isDeclared ? versionOf(copy) : null });
 }
 
 /** The vertices may have changed. Whether they have not, because the declared size still holds. */
 export function forgetSize(geometry: BufferGeometry): boolean {
-  const holds = known.get(geometry)?.declaredFor === versionOf(geometry);
+  const holds = sizes.get(geometry)?.declaredFor === versionOf(geometry);
   if (!holds) {
-    known.delete(geometry);
+    sizes.delete(geometry);
   }
   return holds;
 }
@@ -108,8 +108,8 @@ type Steps<T> = Generator<undefined, T, undefined>;
 const PIECE = 3 * 2 ** 18;
 
 function* measuring(geometry: BufferGeometry): Steps<GeometrySize | null> {
-  const found = known.get(geometry) ?? { size: yield* measured(geometry), declaredFor: null };
-  known.set(geometry, found);
+  const found = sizes.get(geometry) ?? { size: yield* measured(geometry), declaredFor: null };
+  sizes.set(geometry, found);
   return found.size;
 }
 

@@ -34,7 +34,7 @@ export interface BvhQuery {
   visit(first: number, end: number): boolean;
 }
 
-const known = new WeakMap<BufferGeometry, Bvh>();
+const hierarchies = new WeakMap<BufferGeometry, Bvh>();
 
 export function queryBvh(geometry: BufferGeometry, query: BvhQuery): void {
   const steps = bvhInSteps(geometry);
@@ -88,7 +88,7 @@ export function* bvhInSteps(geometry: BufferGeometry): Generator<undefined, Bvh,
   const position = geometry.getAttribute('position');
   const positionVersion = 'data' in position ? position.data.version : position.version;
   const indexVersion = index?.version;
-  const present = known.get(geometry);
+  const present = hierarchies.get(geometry);
   if (
     present?.position === position &&
     present.index === index &&
@@ -109,7 +109,7 @@ export function* bvhInSteps(geometry: BufferGeometry): Generator<undefined, Bvh,
     levels.push(boxesAround(below));
   }
   const bvh = { position, positionVersion, index, indexVersion, corners, levels };
-  known.set(geometry, bvh);
+  hierarchies.set(geometry, bvh);
   return bvh;
 }
 

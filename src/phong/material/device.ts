@@ -27,8 +27,8 @@ const devices = new WeakMap<WebGLRenderer, Device>();
  * queued.
  */
 export function deviceOf(renderer: WebGLRenderer): Device {
-  const known = devices.get(renderer);
-  if (known !== undefined) return known;
+  const present = devices.get(renderer);
+  if (present !== undefined) return present;
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));

@@ -44,9 +44,9 @@ const exact = new WeakMap<Case, Vec3>();
 
 /** The right colour; each run of a function asks for the same ones again. */
 export function exactAt(at: Case): Vec3 {
-  const known = exact.get(at) ?? sumAt(at);
-  exact.set(at, known);
-  return known;
+  const sum = exact.get(at) ?? sumAt(at);
+  exact.set(at, sum);
+  return sum;
 }
 
 export const colorAt = (colors: Colors, i: number): Vec3 => [

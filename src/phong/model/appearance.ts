@@ -49,9 +49,9 @@ function surfaceOf(state: MeshState, { surface }: ContentPart): SurfaceValues {
 /** The file's look. An exponent that the author gives replaces the file's roughness. */
 function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
   if (look.roughness === null || !state.given('shininess')) return look;
-  const known = smooth.get(look) ?? { ...look, roughness: null };
-  smooth.set(look, known);
-  return known;
+  const copy = smooth.get(look) ?? { ...look, roughness: null };
+  smooth.set(look, copy);
+  return copy;
 }
 
 /**

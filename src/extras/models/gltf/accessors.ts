@@ -247,11 +247,11 @@ type MeshoptFilter = (typeof FILTERS)[number];
 /** Null if the view is not compressed. @throws Error for a claim that the decoder must not see. */
 function readMeshoptView(view: JsonObject, buffers: number, what: string): MeshoptView | null {
   const extensions = optionalObject(view['extensions'], `${what}.extensions`);
-  const name = MESHOPT.find((known) => known in extensions);
+  const name = MESHOPT.find((one) => one in extensions);
   if (name === undefined) return null;
   const packed = optionalObject(extensions[name], `${what}.${name}`);
-  const mode = MODES.find((known) => known === packed['mode']);
-  const filter = FILTERS.find((known) => known === (textAt(packed['filter']) || 'NONE'));
+  const mode = MODES.find((one) => one === packed['mode']);
+  const filter = FILTERS.find((one) => one === (textAt(packed['filter']) || 'NONE'));
   const count = countAt(packed['count'], `${what}.count`);
   const stride = countAt(packed['byteStride'], `${what}.byteStride`);
   if (mode === undefined || filter === undefined) {

@@ -102,7 +102,7 @@ async function readChannels(
       const width = path === 'weights' ? targets[node] : WIDTHS[path];
       if (targets[node] === undefined || width === undefined || width === 0) return [];
       const written = textAt(sampler['interpolation']) || 'LINEAR';
-      const interpolation = INTERPOLATIONS.find((known) => known === written);
+      const interpolation = INTERPOLATIONS.find((one) => one === written);
       if (interpolation === undefined) throw new Error(`${what} has an unknown interpolation`);
       const input = accessors.at(sampler['input'], `${what}.input`);
       const output = accessors.at(sampler['output'], `${what}.output`);

@@ -152,8 +152,8 @@ function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
   const decoded = new Map<string, Promise<FileBytes>>();
   const byKey = new Map(cuts.map((cut, i) => [keyOf(i), cut]));
   return (key) => {
-    const known = decoded.get(key);
-    if (known !== undefined) return known;
+    const present = decoded.get(key);
+    if (present !== undefined) return present;
     const cut = byKey.get(key);
     const data =
       cut === undefined

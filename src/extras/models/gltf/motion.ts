@@ -58,9 +58,9 @@ export async function readMotion(
   const numbers = new Map<Attribute, Promise<Numbers>>();
   const numbersOf = async (accessor: Accessor): Promise<Numbers> => {
     const attribute = await source.accessor(accessor);
-    const known = numbers.get(attribute) ?? readNumbers(attribute, slices);
-    numbers.set(attribute, known);
-    return known;
+    const reading = numbers.get(attribute) ?? readNumbers(attribute, slices);
+    numbers.set(attribute, reading);
+    return reading;
   };
   for (const [i, { name, channels }] of animations.entries()) {
     const tracks: Track[] = [];
@@ -222,8 +222,8 @@ function motionOf(
     },
     reach: async (name, signal) => {
       const one = clipOf(name);
-      const known = reaches.get(one);
-      const size = known === undefined ? await read(one, new Slices(signal)) : known;
+      const present = reaches.get(one);
+      const size = present === undefined ? await read(one, new Slices(signal)) : present;
       reaches.set(one, size);
       return size;
     },
@@ -313,9 +313,9 @@ function weightedBy(
     });
     return flags;
   };
-  const known = weighted.get(width) ?? count();
-  weighted.set(width, known);
-  return known;
+  const flags = weighted.get(width) ?? count();
+  weighted.set(width, flags);
+  return flags;
 }
 
 interface Keyframes {

@@ -284,7 +284,7 @@ class ObjReader {
     const [names = [], ...others] = readings.map(libraryNames);
     for (const [i, name] of names.entries()) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
-      if (!this.#libraries.some(([known]) => known === name)) {
+      if (!this.#libraries.some(([other]) => other === name)) {
         this.#libraries.push([name, ...others.flatMap((other) => other[i] ?? [])]);
       }
     }

@@ -54,17 +54,17 @@ export class IndexedGeometries {
           const position = corners[corner]!;
           if (position === NOT_THERE) continue;
           const latest = this.#latest[position]!;
-          let known = latest - this.#before - 1;
-          for (let i = 0; known >= 0 && !this.#agree(firsts[known]!, corner, withUvs); i += 1) {
-            known = i < MOST_COMPARED ? chain[known]! - this.#before - 1 : NONE;
+          let vertex = latest - this.#before - 1;
+          for (let i = 0; vertex >= 0 && !this.#agree(firsts[vertex]!, corner, withUvs); i += 1) {
+            vertex = i < MOST_COMPARED ? chain[vertex]! - this.#before - 1 : NONE;
           }
-          if (known < 0) {
-            known = length++;
-            firsts[known] = corner;
-            chain[known] = latest;
+          if (vertex < 0) {
+            vertex = length++;
+            firsts[vertex] = corner;
+            chain[vertex] = latest;
             this.#latest[position] = this.#before + length;
           }
-          index[next++] = known;
+          index[next++] = vertex;
         }
       });
     }

@@ -25,14 +25,14 @@ const written = new WeakMap<Element, Record<string, string | null>>();
  * may observe. Null removes an attribute. Nothing else may write these attributes.
  */
 export function set<E extends Element>(element: E, attributes: Attributes): E {
-  let known = written.get(element);
-  if (known === undefined) {
-    written.set(element, (known = {}));
+  let before = written.get(element);
+  if (before === undefined) {
+    written.set(element, (before = {}));
   }
   for (const name of Object.keys(attributes)) {
     const value = attributes[name] ?? null;
-    if ((known[name] ?? null) === value) continue;
-    known[name] = value;
+    if ((before[name] ?? null) === value) continue;
+    before[name] = value;
     if (value === null) {
       element.removeAttribute(name);
     } else {

@@ -124,8 +124,8 @@ const featureKeys = new WeakMap<LightBuffer, { readonly revision: number; readon
 /** The counts and features of each kind of light, as text. */
 function featureKeyOf(buffer: LightBuffer): string {
   const { revision, packed } = buffer;
-  const known = featureKeys.get(buffer);
-  if (known?.revision === revision) return known.key;
+  const present = featureKeys.get(buffer);
+  if (present?.revision === revision) return present.key;
   const masks = kindFeatures(packed);
   const key = KINDS.flatMap((kind) => [packed.counts[kind], masks[kind]]).join();
   featureKeys.set(buffer, { revision, key });

@@ -2,7 +2,7 @@
 // it.
 import { clamp, type Vec3 } from '../../../phong/math/vector.js';
 
-const known = new Map<string, Vec3 | null>();
+const colors = new Map<string, Vec3 | null>();
 let context: CanvasRenderingContext2D | null | undefined;
 
 /** Size of the cache, in colours: about 500 kB. A full cache is emptied. */
@@ -29,13 +29,13 @@ export function cssColor(text: string): Vec3 | null {
   if (text.length > LONGEST) return null;
   const key = text.trim().toLowerCase();
   if (HIDING.test(key) || depthOf(key) > DEEPEST) return null;
-  let color = known.get(key);
+  let color = colors.get(key);
   if (color === undefined) {
     color = key.includes('currentcolor') ? null : parsed(key);
-    if (known.size >= CACHE_SIZE) {
-      known.clear();
+    if (colors.size >= CACHE_SIZE) {
+      colors.clear();
     }
-    known.set(key, color);
+    colors.set(key, color);
   }
   return color;
 }

@@ -9,8 +9,8 @@ import { cssColor } from './css-color.js';
 const keysByAttribute = new WeakMap<object, ReadonlyMap<string, string>>();
 
 function keysOf(fields: object): ReadonlyMap<string, string> {
-  const known = keysByAttribute.get(fields);
-  if (known !== undefined) return known;
+  const present = keysByAttribute.get(fields);
+  if (present !== undefined) return present;
   const keys = new Map(Object.keys(fields).map((key) => [attributeOf(key), key]));
   keysByAttribute.set(fields, keys);
   return keys;

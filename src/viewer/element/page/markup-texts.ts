@@ -2,14 +2,14 @@
 // that have one.
 import { clip } from '../../../phong/fields/clip.js';
 import { nearest } from '../../../phong/fields/nearest.js';
-import known from '../fields/texts.json';
+import tables from '../fields/texts.json';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
 
 /** Most unknown keys that a warning names. */
 const NAMED = 5;
 
-const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
+const KEYS: readonly string[] = Object.values(tables).flatMap(Object.keys);
 
 let sources: readonly string[] = [];
 

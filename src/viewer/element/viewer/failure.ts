@@ -81,8 +81,8 @@ export class ViewerFailure {
 
   /** Once, however often the context is lost again or refused before it works. */
   #reportContext(detail: ViewerErrorDetail): void {
-    const known = this.#present.get(CONTEXT)?.detail.code;
-    if (known !== detail.code) {
+    const code = this.#present.get(CONTEXT)?.detail.code;
+    if (code !== detail.code) {
       this.#add({ subject: CONTEXT, detail, fact: detail.message });
     }
   }

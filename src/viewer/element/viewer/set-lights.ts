@@ -16,14 +16,14 @@ export function setLights(viewer: PhongViewer, lights: LightsByName): void {
   for (const light of wanted) {
     const { store } = fieldsOf(light);
     const { values } = store;
-    const known = [...left].find((other) => fieldsOf(other).store.values.name === values.name);
-    if (known === undefined) {
+    const namesake = [...left].find((other) => fieldsOf(other).store.values.name === values.name);
+    if (namesake === undefined) {
       viewer.append(light);
       continue;
     }
-    left.delete(known);
+    left.delete(namesake);
     for (const key of Object.keys(values) as (keyof typeof values)[]) {
-      fieldsOf(known).set(key, store.given(key) ? values[key] : null);
+      fieldsOf(namesake).set(key, store.given(key) ? values[key] : null);
     }
   }
   for (const light of left) {

@@ -48,8 +48,8 @@ export class AtlasCopies {
    * (src/decisions/one-context.md).
    */
   show(viewport: CopiedPicture, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
-    const known = this.#canvases.get(viewport);
-    const canvas = known ?? this.#newCanvas(viewport);
+    const present = this.#canvases.get(viewport);
+    const canvas = present ?? this.#newCanvas(viewport);
     this.#canvases.delete(viewport);
     this.#canvases.set(viewport, canvas);
     this.#fresh.add(viewport);
@@ -58,7 +58,7 @@ export class AtlasCopies {
       canvas.width = width;
       canvas.height = height;
     }
-    const blank = known === undefined || resized;
+    const blank = present === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
     // For print, Chromium 156 replays what was drawn since the last frame. There, `copy` erases all

@@ -77,10 +77,10 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): readonly Need[] {
   const text = keyOf(key);
   // Cuts follow the eye: each is another.
   if (key.cut !== undefined) return newNeeds(key, text, flat);
-  const known = `${text} ${String(flat)}`;
-  let needs = needsByKey.get(known);
+  const needsKey = `${text} ${String(flat)}`;
+  let needs = needsByKey.get(needsKey);
   if (needs === undefined) {
-    needsByKey.set(known, (needs = newNeeds(key, text, flat)));
+    needsByKey.set(needsKey, (needs = newNeeds(key, text, flat)));
   }
   return needs;
 }
