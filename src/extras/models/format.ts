@@ -91,10 +91,9 @@ function isObj(bytes: Uint8Array): boolean {
     start.pop(); // cut in the middle
   }
   const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
-  const areKeywords = words.every(
-    (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
-  );
-  return areKeywords && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
+  const isKeyword = (word: string): boolean =>
+    /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|#.*|)$/.test(word);
+  return words.every(isKeyword) && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 
 /** A format that people bring and that cannot be read. */

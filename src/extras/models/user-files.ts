@@ -172,9 +172,9 @@ function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   if (exact) return exact;
   const lower = wanted.toLowerCase();
   const named = [...files].filter(([name]) => lastOf(name).toLowerCase() === lastOf(lower));
-  const [, found] =
-    (named.length === 1 ? named[0] : named.find(([name]) => name.toLowerCase() === lower)) ?? [];
-  return found;
+  return (
+    named.length === 1 ? named[0] : named.find(([name]) => name.toLowerCase() === lower)
+  )?.[1];
 }
 
 /**

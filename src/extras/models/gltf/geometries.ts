@@ -25,16 +25,9 @@ import {
 } from './attributes.js';
 import type { Accessor } from './accessors.js';
 import { Deformation, type MorphTarget, JointPose } from './deformation.js';
-import type { Instances } from './instances.js';
+import type { GltfDocument } from './document.js';
 import { addTangents, findNormals, takeFileNormals } from './computed-vectors.js';
-import {
-  cornersOf,
-  FANS,
-  type MorphAccessors,
-  type Primitive,
-  STRIPS,
-  TRIANGLES,
-} from './primitives.js';
+import { cornersOf, FANS, type MorphAccessors, STRIPS, TRIANGLES } from './primitives.js';
 import { mapsOf, uvNameOf } from './materials.js';
 
 /** Where the file describes an object. */
@@ -45,17 +38,11 @@ export interface FileIndices {
 }
 
 /** What the loader's scene does not say. */
-export interface GeometrySource {
+export interface GeometrySource extends Pick<GltfDocument, 'primitives' | 'weights' | 'instances'> {
   /** Undefined for an object that no node and no mesh of the file stands for. */
   indicesOf(object: Object3D): FileIndices | undefined;
   /** The numbers of an accessor that was counted. */
   readonly accessor: (accessor: Accessor) => Promise<Attribute>;
-  /** By mesh. */
-  readonly primitives: readonly (readonly Primitive[])[];
-  /** Weights of morph targets, by node. */
-  readonly weights: readonly (readonly number[])[];
-  /** By node. */
-  readonly instances: readonly (Instances | undefined)[];
   readonly budget: ModelBudget;
 }
 
