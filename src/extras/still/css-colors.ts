@@ -54,7 +54,7 @@ const WHOLE: Readonly<Record<string, number>> = {
 /** A word of a colour function as turns, or as a number from 0 to 1; NaN for neither. */
 function numberOf(word: string, i: number, name: string): number {
   const [, number, unit = ''] =
-    /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|none)(%|deg|grad|rad|turn|)$/.exec(word) ?? [];
+    /^([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?|none)(%|deg|grad|rad|turn|)$/.exec(word) ?? [];
   const isHue = i === 0 && name !== 'rgb';
   if (number === undefined || (isHue ? unit === '%' : unit.length > 1)) return NaN;
   const value = number === 'none' ? 0 : Number(number);

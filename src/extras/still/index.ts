@@ -18,7 +18,7 @@ export interface StillOptions {
   readonly onFile?: (url: URL, bytes: Uint8Array) => void;
   /** Hears what a browser's console would say of the markup. Default: `console.warn`. */
   readonly warn?: (message: string) => void;
-  /** Threads in Node. They change no pixel. Default: one for each core; 1: the caller's own. */
+  /** Most threads in Node. They change no pixel. Default: one for each core; 1: the caller's own. */
   readonly threads?: number;
 }
 
@@ -48,16 +48,18 @@ const MOST_PIXELS = 33554432;
 export async function still(markup: string, options: StillOptions): Promise<Still> {
   const { width, height, base, background, onFile } = options;
   const { warn = (message) => console.warn(message) } = options;
-  const isSize = (n: number): boolean => Number.isInteger(n) && n >= 1;
-  if (!isSize(width) || !isSize(height) || width * height > MOST_PIXELS) {
+  // A file that is read without its encoding is none.
+  if (typeof markup !== 'string') throw new TypeError('the markup of a still must be a string');
+  const isSize = [width, height].every((n) => Number.isInteger(n) && n >= 1);
+  if (!isSize || width * height > MOST_PIXELS) {
     throw new RangeError(`a still has whole numbers of pixels, at most ${String(MOST_PIXELS)}`);
   }
-  if (background?.some((code) => !(code >= 0 && code <= 255)) === true) {
+  if ([...(background ?? [])].some((code) => !(code >= 0 && code <= 255))) {
     throw new RangeError('background: r, g and b must be from 0 to 255');
   }
   const size = { width, height, samples: SAMPLES };
   const scene = await castSceneOf(readMarkup(markup, warn), size, { base, warn, onFile });
-  const threads = options.threads ?? (await cores());
+  const threads = Math.min(options.threads ?? Infinity, await cores());
   const means =
     threads > 1 ? await castOnThreads(scene, size, threads, WORKER) : castHere(scene, size);
   const pixels = straight(means, background);

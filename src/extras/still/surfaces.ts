@@ -182,7 +182,8 @@ export class SurfacePoint {
   alpha = 1;
 }
 
-const RGB = [0, 1, 2] as const;
+/** The indices of r, g and b. */
+export const RGB = [0, 1, 2] as const;
 const WHITE: Vec3 = [1, 1, 1];
 const BLACK: Vec3 = [0, 0, 0];
 const NO_UV: readonly number[] = [];

@@ -25,7 +25,7 @@ import {
   vectorAt,
 } from './placed.js';
 import { Screen } from './screen.js';
-import { ObjectSurface, SurfacePoint } from './surfaces.js';
+import { ObjectSurface, RGB, SurfacePoint } from './surfaces.js';
 
 /** One sample, written over by the next. */
 export interface Sample {
@@ -287,14 +287,14 @@ export class Tracer {
         piece = Math.imul(piece, 0x9e3779b1) + hit.triangle;
       }
       const { ka, kd, ks, emissive } = point;
-      for (const i of [0, 1, 2] as const) {
+      for (const i of RGB) {
         color[i] = ka[i] * sums[i]! + kd[i] * sums[i + 3]! + ks[i] * sums[i + 6]! + emissive[i];
       }
     }
     if (quantity !== undefined) {
       this.#measure(hit, quantity);
     }
-    for (const i of [0, 1, 2] as const) {
+    for (const i of RGB) {
       const value = linear && quantity === undefined ? srgbEncode(color[i]) : color[i];
       color[i] = clamp(value, 0, 1);
       piece = 2 * piece + Number(value > 1);

@@ -183,6 +183,10 @@ describe('values in a still’s markup', () => {
     ['<phong-viewer fov="200" geometry="box"></phong-viewer>', 'a number from 1 to 170'],
     ['<phong-viewer geometry="boxx"></phong-viewer>', 'Did you mean "box"?'],
     ['<phong-viewer geometry="box" kd="redd"></phong-viewer>', 'using 200 200 200 instead'],
+    [
+      `<phong-viewer geometry="box" kd="rgb(${'1'.repeat(1e5)}x 0 0)"></phong-viewer>`,
+      'using 200 200 200 instead',
+    ],
     ['<phong-viewer geometry="box" shininess="NaN"></phong-viewer>', 'using 32 instead'],
     ['<phong-viewer geometry="box" segments="9999"></phong-viewer>', 'using auto instead'],
     ['<phong-viewer><phong-light position="1 2"></phong-light></phong-viewer>', 'x y z w'],
@@ -199,6 +203,7 @@ describe('values in a still’s markup', () => {
 
   it.each([
     ['', 'one <phong-viewer>, and the markup has 0'],
+    [Buffer.from('<phong-viewer></phong-viewer>') as unknown as string, 'must be a string'],
     ['<phong-viewer></phong-viewer><phong-viewer></phong-viewer>', 'has 2'],
     ['<phong-viewer view="triangles" geometry="box"></phong-viewer>', 'view="triangles"'],
     ['<phong-viewer geometry="box" kd="oklch(0.5 0.1 20)"></phong-viewer>', 'oklch(0.5 0.1 20)'],
