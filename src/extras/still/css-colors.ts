@@ -3,7 +3,8 @@
 import { clamp, map, type Vec3 } from '../../phong/math/vector.js';
 
 /** Colours that browsers know and stills do not. */
-const OTHER = /^((ok)?(lab|lch)|color(-mix)?|light-dark|contrast-color|device-cmyk)\(/;
+const OTHER =
+  /^((ok)?(lab|lch)|color(-mix)?|light-dark|contrast-color|device-cmyk)\(|^(rgb|hsl|hwb)a?\((\s*from\s|.*calc\()/;
 
 /** Null for what is no colour. @throws TypeError for a colour of another kind, and names it. */
 export function cssColor(text: string): Vec3 | null {

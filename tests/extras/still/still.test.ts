@@ -207,6 +207,11 @@ describe('values in a still’s markup', () => {
     ['<phong-viewer></phong-viewer><phong-viewer></phong-viewer>', 'has 2'],
     ['<phong-viewer view="triangles" geometry="box"></phong-viewer>', 'view="triangles"'],
     ['<phong-viewer geometry="box" kd="oklch(0.5 0.1 20)"></phong-viewer>', 'oklch(0.5 0.1 20)'],
+    [
+      '<phong-viewer geometry="box" kd="rgb(from red r g b)"></phong-viewer>',
+      'rgb(from red r g b)',
+    ],
+    ['<phong-viewer geometry="box" kd="rgb(calc(9) 0 0)"></phong-viewer>', 'rgb(calc(9) 0 0)'],
     ['<phong-viewer src="model.glb"></phong-viewer>', 'without options.base'],
     ['<phong-viewer src="file:///nowhere/model.glb"></phong-viewer>', 'model.glb cannot be read'],
     [
