@@ -37,7 +37,7 @@ export function requireDecoders(
   what: string,
 ): void {
   if (decodeImage === undefined) return;
-  throw new ModelError('bad-model', `${what} cannot be read without WebAssembly.`);
+  throw new ModelError('bad-model', `A still cannot read ${what}: export the model without it.`);
 }
 
 /**
