@@ -159,11 +159,10 @@ export class Tracer {
       const at = STRIDE * thing;
       const edges = [0, 3, 6].map((k) => vectorAt(this.#volumes, at + k));
       const volume = this.#volumes[at + 9]!; // 0 of a true shape: it reaches nothing
-      const reaches = (v: Vec3, least: number): boolean =>
-        corners.some((corner) => volume * dot(v, corner) > least);
-      // Inside each edge, and nearer, at a corner: all four are linear.
+      // Inside each edge at a corner, as they are linear, and its plane nearer in the middle.
       return (
-        edges.every((edge) => reaches(edge, 0)) && reaches(edges.reduce(add), (volume * volume) / t)
+        edges.every((edge) => corners.some((corner) => volume * dot(edge, corner) > 0)) &&
+        dot(edges.reduce(add), this.#d) / volume > ROUNDED / t
       );
     });
   }
