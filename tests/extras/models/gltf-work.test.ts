@@ -61,6 +61,18 @@ describe('a document is read in slices', () => {
   });
 });
 
+it('a GLB of many empty chunks is read in slices', async () => {
+  pauses.count = 0;
+  const before = await pausesWith({});
+  const plain = triangleGlb({});
+  const chunks = new Uint8Array(plain.byteLength + 8 * MANY);
+  chunks.set(new Uint8Array(plain));
+  new DataView(chunks.buffer).setUint32(8, chunks.length, true);
+  pauses.count = 0;
+  await loadFiles({ 'a.glb': chunks });
+  expect(pauses.count).toBeGreaterThanOrEqual(before + MANY / 2048);
+});
+
 it('the nodes that a scene names thousands of times are visited once', async () => {
   let visits = 0;
   const flatMap = vi.spyOn(Array.prototype, 'flatMap').mockImplementation(function (

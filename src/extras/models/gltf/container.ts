@@ -54,16 +54,19 @@ export async function openContainer(
   for (let at = HEADER; at + CHUNK_HEADER <= claimed;) {
     const size = view.getUint32(at, true);
     const type = view.getUint32(at + 4, true);
-    const start = at + CHUNK_HEADER;
-    if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
-    const chunk = bytes.subarray(start, start + size);
+    const end = at + CHUNK_HEADER + size;
+    if (end > claimed) throw new Error('a chunk reaches beyond the end');
+    const chunk = bytes.subarray(at + CHUNK_HEADER, end);
     if (type === CHUNK_JSON) {
       parsed ??= await parseText(chunk, budget, slices);
     }
-    if (type === CHUNK_BIN && body === null) {
-      body = chunk;
+    if (type === CHUNK_BIN) {
+      body ??= chunk;
     }
-    at = start + size;
+    if (slices.took()) {
+      await slices.pause();
+    }
+    at = end;
   }
   if (parsed === undefined) throw new Error('it has no JSON chunk');
   return { ...parsed, body };
@@ -119,8 +122,7 @@ async function parseText(
   requireAtMost(length, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
   budget.add({ text: length, json: values });
   texts.push(bytes.subarray(from));
-  const json = parsed(await slices.joined(texts));
-  return { json, data: dataByKey(cuts, slices) };
+  return { json: parsed(await slices.joined(texts)), data: dataByKey(cuts, slices) };
 }
 
 /** Whether the character is preceded by an odd number of backslashes. */

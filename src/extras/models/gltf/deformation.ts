@@ -134,8 +134,8 @@ export class Deformation {
     const { joints, weights, targets } = this.#rig;
     if (joints === null && weighted === null) return 0;
     const used = targets.filter((_, i) => weights[i] !== 0 || weighted?.[i] === 1).length;
-    const extra = this.#joints > JOINTS ? 1 : 0;
-    return (this.#position.length / 3) * (1 + extra + used) + targets.length;
+    const sets = this.#joints > JOINTS ? 2 : 1;
+    return (this.#position.length / 3) * (sets + used) + targets.length;
   }
 
   /** The weights of the targets. */

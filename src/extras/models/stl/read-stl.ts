@@ -112,9 +112,8 @@ function countOf(view: DataView): number {
   if (count === 0) throw new Error('it has no triangles');
   if (count <= there) return count;
   const size = STL_HEADER + count * STL_TRIANGLE;
-  const { byteLength } = view;
   throw new Error(
-    `it is truncated: ${String(byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
+    `it is truncated: ${String(view.byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
   );
 }
 
