@@ -166,15 +166,15 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
     if (defined.length < DEFINED * cases.length) return [];
   }
-  // Many mistakes take all light away.
-  if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
-    return [];
   const areClamped = judged.every(isClamped);
   for (const candidates of [singles(), pairs()]) {
     // What is 255 times as bright says nothing once it is clamped.
     const dim = candidates.filter(({ ids }) => areClamped && !ids.includes('scale-255'));
     const found = (yield* best(judged, candidates)) ?? (yield* best(judged, dim, true));
     if (found !== null) return found;
+    // Many pairs take all light away.
+    if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
+      return [];
   }
   return [];
 }

@@ -134,9 +134,9 @@ describe('from the colours at the sheet', () => {
     [['directional'], TERMS],
     [['point'], TERMS],
     [['spot'], TERMS],
-    [['directional'], ['diffuse']],
+    [['directional'], ['ambient', 'diffuse']],
     [['point'], ['diffuse', 'specular']],
-    [['spot'], ['specular']],
+    [['spot'], ['ambient', 'specular']],
   ] as const)('nor is any of them named under %s lights with %s terms', (kinds, terms) => {
     const cases = casesOf({ kinds, terms, reflection: 'phong' });
     for (const [name, of] of Object.entries(nonsense)) {
@@ -173,6 +173,7 @@ it.each([
   ],
   ['spots only', { ...ALL, kinds: ['spot'] }, 'no-cone'],
   ['spots without a highlight', { ...ALL, terms: ['ambient', 'diffuse'] }, 'ambient-outside-cone'],
+  ['ambient light', { ...ALL, terms: ['ambient'] }, 'no-ambient'],
   ['a highlight', { ...ALL, terms: ['specular'] }, 'no-gate'],
 ] as const)('an exercise of %s keeps to it', (_, task, id) => {
   const cases = casesOf(task);
