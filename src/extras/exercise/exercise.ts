@@ -180,8 +180,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   #render(): void {
     const { value } = this;
-    const isMissing =
-      this.values.required && (this.#written === null || this.#written.trim() === '');
+    const isMissing = this.values.required && (this.#written ?? '').trim() === '';
     render(this.#template(value), this.root);
     const area = this.root.querySelector('textarea')!;
     this.internals.setFormValue(value, this.#written ?? '');
@@ -287,7 +286,14 @@ class Exercise extends ExtraElement<ExerciseValues> {
         scene === null || hint === 'verdict'
           ? nothing
           : html`<p class="buttons">
-              <button part="button" @click=${() => this.#run(scene)}>
+              <button
+                part="button"
+                @click=${() => {
+                  // This button is gone while it runs.
+                  this.root.querySelector('button')!.focus();
+                  void this.#run(scene);
+                }}
+              >
                 ${this.#say(DEMONSTRATIONS[scene] ?? 'Use another light')}
               </button>
             </p>`
@@ -338,7 +344,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
             </figure>`
           : nothing
       }
-      ${this.#shown?.isGouraud === true ? html`<p>${this.#say(GOURAUD)}</p>` : nothing}
+      ${this.#shown?.isGouraud === true ? html`<p>${this.#say('The viewer shades at the corners of triangles (Gouraud); these pictures do at each pixel.')}</p>` : nothing}
     </div>`;
   }
 
@@ -373,9 +379,6 @@ export const restore = (element: HTMLElement, written: string): void => {
 
 /** A longer text scrolls: each line number is an element. */
 const MOST_LINES = 500;
-
-const GOURAUD =
-  'The viewer shades at the corners of triangles (Gouraud); these pictures do at each pixel.' satisfies ViewerText;
 
 /** 41208 as 41 208: the same in every language. */
 const grouped = (value: number): string =>

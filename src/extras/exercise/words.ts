@@ -29,7 +29,8 @@ export function sentencesFor(
   hint: Exclude<ExerciseValues['hint'], 'none'>,
   say: Say,
 ): string[] {
-  const { right, rightPixels, pixels, mistakes, worst, scene } = verdict;
+  const { right, rightPixels, pixels, undefinedPixels, mistakes, terms, difference, worst, scene } =
+    verdict;
   const count = { right: rightPixels, count: pixels };
   if (hint === 'verdict') return [say(right ? NO_MISTAKE : 'Not right yet.')];
   if (right) {
@@ -42,7 +43,6 @@ export function sentencesFor(
       ),
     ];
   }
-  const { terms, difference, undefinedPixels } = verdict;
   const list = (texts: readonly ViewerText[]): string => texts.map((text) => say(text)).join(', ');
   const sentences = [
     scene === null
@@ -71,13 +71,11 @@ export function sentencesFor(
     sentences.push(...regions.map((region) => say(REGION_TEXTS[region])));
   }
   if (worst !== null) {
-    const { x, y, found, exact } = worst;
     sentences.push(
       say('Pixel {x}, {y}: yours {found}, exact {exact}; 255 is full.', {
-        x,
-        y,
-        found: codes(found),
-        exact: codes(exact),
+        ...worst,
+        found: codes(worst.found),
+        exact: codes(worst.exact),
       }),
     );
   }

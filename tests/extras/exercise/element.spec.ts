@@ -69,6 +69,8 @@ test('says what is right in this picture only, and shows it under another light'
   await page.getByRole('button', { name: 'Bring the lamp close' }).click();
   await expect(verdict(page)).toContainText('Not right yet', { timeout: 30_000 });
   await expect(verdict(page)).toContainText(/Pixel \d+, \d+: yours/);
+  // The button that was pressed is gone.
+  await expect(page.getByRole('button', { name: 'Run' })).toBeFocused();
 });
 
 test('hints say as much as they are asked to, and a solution comes after a right answer', async ({
