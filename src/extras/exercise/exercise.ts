@@ -302,7 +302,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   #pictures(): TemplateResult | typeof nothing {
     const { images = null } = this.#shown ?? {};
-    if (images === null) return nothing;
+    // Those of an earlier run would look like this one's.
+    if (images === null || this.#faults.length > 0) return nothing;
     const { hint } = this.values;
     const { width, height } = images.own;
     const canvas = (id: string, label: string): TemplateResult =>

@@ -71,6 +71,11 @@ test('says what is right in this picture only, and shows it under another light'
   await expect(verdict(page)).toContainText(/Pixel \d+, \d+: yours/);
   // The button that was pressed is gone.
   await expect(page.getByRole('button', { name: 'Run' })).toBeFocused();
+  await expect(page.getByRole('img', { name: 'The exact picture' })).toBeVisible();
+  await textArea(page).fill('float x;');
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(page.getByRole('alert')).toContainText('There is no function shade');
+  await expect(page.getByRole('img', { name: 'The exact picture' })).toHaveCount(0);
 });
 
 test('hints say as much as they are asked to, and a solution comes after a right answer', async ({
