@@ -6,7 +6,7 @@ import { followDrag } from '../../phong/camera/followed-drag.js';
 import { clamp } from '../../phong/math/vector.js';
 
 /** The comparison that a divider is part of. */
-export interface DividedBox {
+interface DividedBox {
   readonly vertical: boolean;
   /** Where a divider is, and where it may be, in percent. */
   placeOf(divider: Divider): {

@@ -233,7 +233,7 @@ function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay)
 }
 
 /** A corner in shading space. */
-export interface Corner {
+interface Corner {
   /** Place relative to the frame's origin. */
   readonly p: Vec3;
   /** Unit length, or zero; flipped on back faces. */

@@ -193,7 +193,7 @@ function* inSteps(
 }
 
 /** A point of a triangle, and its place relative to the one that was searched from. */
-export interface NearPoint extends TrianglePoint {
+interface NearPoint extends TrianglePoint {
   readonly away: Vec3;
 }
 

@@ -3,7 +3,7 @@
 import { checksum, joined, LONGEST_MARKUP, MARKUP_KEYWORD, SIGNATURE } from './chunks.js';
 
 /** Why a file holds no text that can be read. */
-export type TextFault = 'none' | 'damaged' | 'too-large' | 'refused';
+type TextFault = 'none' | 'damaged' | 'too-large' | 'refused';
 
 export class PngTextError extends Error {
   readonly fault: TextFault;

@@ -16,7 +16,7 @@ import { withCoefficients } from './equations.js';
 import { type Asked, isAsked } from './probe-fields.js';
 
 /** Numbers from 0 to 1, the same for the same text: FNV-1a, then mulberry32. */
-export function randomBy(seed: string): () => number {
+function randomBy(seed: string): () => number {
   let state = 0x811c9dc5;
   for (const char of seed) {
     state = Math.imul(state ^ char.codePointAt(0)!, 0x01000193);

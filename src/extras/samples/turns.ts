@@ -5,7 +5,7 @@ import type { WebGLRenderer } from 'three';
 import { SampleSum } from './sample-sum.js';
 
 /** A picture that takes turns. */
-export interface Taker {
+interface Taker {
   /** Now: scrolling changes it. */
   readonly inView: boolean;
   /** Stops until it is woken. */

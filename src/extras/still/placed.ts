@@ -15,7 +15,7 @@ export interface PlacedTriangles {
   readonly index: ArrayLike<number> | undefined;
 }
 
-export interface PlacedTrueShape {
+interface PlacedTrueShape {
   readonly kind: 'true';
   readonly intersect: Intersect;
   /** Directions and normals between world and shape. */

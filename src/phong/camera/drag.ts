@@ -29,7 +29,7 @@ export const turn = (start: Pose, dx: number, dy: number, { width, height }: Pic
   turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 
 /** Adds angles in degrees to those of the start pose. φ stops at the poles. */
-export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
+function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
   if ((dTheta === 0 && dPhi === 0) || !Number.isFinite(dTheta) || !Number.isFinite(dPhi)) {
     return start;
   }

@@ -7,9 +7,7 @@ import type { ShadingFrame } from '../material/shading-space.js';
 import { PhongMaterial } from '../material/phong-material.js';
 
 /** How the Phong material shades an object. */
-export type DrawnLook = Readonly<
-  Pick<PhongMaterial, 'look' | 'sides' | 'surface' | 'style' | 'linear'>
->;
+type DrawnLook = Readonly<Pick<PhongMaterial, 'look' | 'sides' | 'surface' | 'style' | 'linear'>>;
 
 /** An object that an element declares. */
 export interface OwnDrawn<Owner = unknown> {

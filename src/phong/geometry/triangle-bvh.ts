@@ -14,7 +14,7 @@ const IN_BOX = 16;
 /** Centre and half sizes of each box: six numbers. */
 export type BoxList = Float64Array;
 
-export interface Bvh {
+interface Bvh {
   readonly position: Position;
   readonly positionVersion: number;
   readonly index: BufferAttribute | null;

@@ -56,7 +56,7 @@ export const colorAt = (colors: Colors, i: number): Vec3 => [
 ];
 
 /** Within a step; above 1 in proportion. NaN is not. */
-export const isWithinStep = (found: Vec3, exact: Vec3): boolean =>
+const isWithinStep = (found: Vec3, exact: Vec3): boolean =>
   exact.every((x, k) => Math.abs(found[k]! - x) <= STEP * Math.max(1, Math.abs(x)));
 
 /** Small colours are compared in proportion: black is not a colour divided by 255. */

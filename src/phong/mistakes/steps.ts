@@ -141,7 +141,7 @@ export const RIGHT: Steps = {
 const ORDER = Object.keys(RIGHT) as (keyof Values)[];
 
 /** The terms of one light at a point, not clamped. */
-export type LightTerms = Readonly<Record<Term, Vec3>>;
+type LightTerms = Readonly<Record<Term, Vec3>>;
 
 /** What the steps give, with some of them replaced; without `wrong`, as it is right. */
 export function valuesAt(given: Given, wrong: Partial<Steps> = {}): Values {

@@ -40,7 +40,7 @@ export interface FormatNames {
   readonly otherTypes: readonly string[];
 }
 
-export type FormatKey = keyof typeof FORMAT_NAMES;
+type FormatKey = keyof typeof FORMAT_NAMES;
 
 export type ModelType = (typeof FORMAT_NAMES)[FormatKey]['types'][number];
 

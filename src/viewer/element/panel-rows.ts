@@ -14,7 +14,7 @@ interface PanelRow<T> {
 type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) => string;
 
 /** What makes rows. */
-export interface RowKit {
+interface RowKit {
   readonly flag: (label: ViewerText) => PanelRow<boolean>;
   /** A flag for each word that the field can list. */
   readonly flags: <T extends string>(

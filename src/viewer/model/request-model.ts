@@ -7,7 +7,7 @@ import type { Amounts } from '../../phong/model/budget.js';
 import type { Content } from '../../phong/model/model.js';
 
 /** What loads of models need of their code. */
-export interface ModelCode {
+interface ModelCode {
   /**
    * Loads a model and the files it refers to. @param from the request of the file at `url`, if
    * there is one already; or a file, whose `url` is for messages.
@@ -88,7 +88,7 @@ export const readerCode = {
  * Firefox 153 would never fetch it again after a failure
  * (https://bugzilla.mozilla.org/show_bug.cgi?id=2055211).
  */
-export function requestCode({ pathname }: URL): void {
+function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();
   const named = Object.values<FormatNames>(FORMAT_NAMES).filter(({ extensions }) =>
     extensions.some((extension) => path.endsWith(`.${extension}`)),

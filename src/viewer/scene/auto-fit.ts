@@ -9,7 +9,7 @@ import { type Extent, measure, radiusOf } from '../../phong/geometry/bounds.js';
 import type { Size } from '../../phong/math/region.js';
 
 /** Frames several pictures as one. */
-export interface SharedFit {
+interface SharedFit {
   /** The scene, its shading, the size or the field of view of a picture has changed. */
   changed(): void;
   /** The fit of all pictures together. */
@@ -17,7 +17,7 @@ export interface SharedFit {
 }
 
 /** What is framed. */
-export interface FramedScene {
+interface FramedScene {
   readonly scene: Scene;
   readonly orbit: Orbit;
   /** Another version is to be drawn. */

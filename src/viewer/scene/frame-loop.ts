@@ -3,7 +3,7 @@
 // picture starts the next.
 
 /** A picture that takes part in frames. */
-export interface FrameUser {
+interface FrameUser {
   /** It has another size since it was drawn. */
   readonly resized: boolean;
   /** First phase: reads the page's layout. */

@@ -35,7 +35,7 @@ export interface ObjText {
   readonly libraries: readonly LibraryPaths[];
 }
 
-export type LibraryPaths = readonly [string, ...string[]];
+type LibraryPaths = readonly [string, ...string[]];
 
 /**
  * Most changes of object or material: drawings of plants have tens of thousands. More would block

@@ -27,7 +27,7 @@ export const ARROWS: Readonly<Record<string, readonly [right: number, down: numb
   ArrowDown: [0, 1],
 };
 
-export interface Sight {
+interface Sight {
   readonly pose: Pose;
   /** Vertical field of view, degrees. */
   readonly fov: number;

@@ -153,7 +153,7 @@ function viewLightFault(host: ExtraHost): string | null {
 }
 
 /** The title of a view's legend: a key of `texts`. */
-export function viewTitle(view: View, blinn: boolean): ViewerText {
+function viewTitle(view: View, blinn: boolean): ViewerText {
   const { blinnTitle, title }: { readonly title: ViewerText; readonly blinnTitle?: ViewerText } =
     VIEW_TABLE[view];
   return (blinn ? blinnTitle : undefined) ?? title;

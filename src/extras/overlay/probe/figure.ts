@@ -44,7 +44,7 @@ export interface Vector {
   readonly dashed: boolean;
 }
 
-export interface Arc {
+interface Arc {
   /** Ends of vectors of less than unit length, with the curve between them. */
   readonly points: readonly Vec3[];
   readonly label: string;

@@ -16,7 +16,7 @@ import {
 } from './sum-table.js';
 import { createElement } from '../drawing/dom.js';
 
-export interface BoxState {
+interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */
   readonly content: SumContent | string | null;
   /** The point on the layer. */

@@ -17,12 +17,7 @@ import { add, clamp, length, map, type Vec3 } from '../../../phong/math/vector.j
  * Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular
  * terms.
  */
-export type Absence =
-  | 'outside its cone'
-  | 'behind the surface'
-  | 'no direction'
-  | 'no normal'
-  | null;
+type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | 'no normal' | null;
 
 /** One active light's row: its explanation, with the three terms in codes. */
 export type LightExplanation = NonNullable<FragmentExplanation['shares'][number]>;
@@ -37,7 +32,7 @@ export interface SumRow extends LightExplanation {
 }
 
 /** A row below the lights. */
-export interface TotalRow {
+interface TotalRow {
   readonly label: 'base colour' | 'emissive' | 'sum' | 'encoded' | 'clamped';
   readonly color: Vec3;
 }

@@ -7,7 +7,7 @@ import type { Cut, CutName } from './cut-faces.js';
 import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes.js';
 
 /** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
-export const OUTLINE_TOLERANCE = 1 / 4;
+const OUTLINE_TOLERANCE = 1 / 4;
 
 /**
  * The same in the samples of a still picture, whose mean shows an eighth of a plain picture's

@@ -40,7 +40,7 @@ export const CLOSED: ReadonlySet<GeometryName> = new Set(
 );
 
 /** A geometry, or a promise where the shape's code is a chunk of its own. */
-export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
+type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
 
 interface Shape {
   readonly segments: number;

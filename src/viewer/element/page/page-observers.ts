@@ -7,7 +7,7 @@ import { frameLoopOf } from '../../scene/frame-loop.js';
 const PRINT_MS = 3000;
 
 /** An element whose place and size are watched. */
-export interface Watcher {
+interface Watcher {
   intersected(entry: IntersectionObserverEntry): void;
   /** The same for the surroundings of the view, {@link PageObservers.margin} wide. */
   neared(entry: IntersectionObserverEntry): void;

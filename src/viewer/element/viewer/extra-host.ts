@@ -32,7 +32,7 @@ export interface ExtraHost {
 }
 
 /** CSS pixels of the layer, or of the file that is being drawn. */
-export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number>>;
+type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number>>;
 
 export interface Extra {
   /** A frame was drawn, or the viewer's own values have changed. */

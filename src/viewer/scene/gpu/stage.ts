@@ -22,7 +22,7 @@ type Draw = (renderer: WebGLRenderer) => void;
 type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
 
 /** A picture on the page; sizes are in device pixels. */
-export interface StagedPicture extends CopiedPicture, Size {
+interface StagedPicture extends CopiedPicture, Size {
   /** Its canvas shows it as it is. */
   readonly upToDate: boolean;
   /** Draws it again now. */

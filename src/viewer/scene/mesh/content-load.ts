@@ -12,7 +12,7 @@ import { acquireModel } from './shared-models.js';
 type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 /** The mesh that content is loaded for. */
-export interface LoadingMesh {
+interface LoadingMesh {
   /** What a shape will hold before there is a geometry. */
   needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[];
   /** Called before {@link arrived}, to make materials in slices. */

@@ -32,7 +32,7 @@ import { FIXED, type Level } from './shared-shapes.js';
 const FREE_TRIANGLES = 16384;
 
 /** Pictures whose outlines meet. */
-export interface SharedLevels {
+interface SharedLevels {
   /** One of them shows a round shape by its fixed number of segments, so all do. */
   readonly isFixed: boolean;
 }
@@ -48,7 +48,7 @@ interface LevelledContent {
   readonly parts: readonly { readonly mesh: Mesh }[];
 }
 
-export interface LevelledPicture {
+interface LevelledPicture {
   readonly style: { readonly shading: Shading };
   readonly meshes: Iterable<{ readonly shown: LevelledContent }>;
   /** In triangles. */

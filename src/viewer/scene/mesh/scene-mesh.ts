@@ -16,7 +16,7 @@ import { effectiveSegments, type GeometryName } from '../../../phong/model/shape
 import { type ContentPicture, needsOf, ShownContent } from './shown-content.js';
 
 /** The picture that a mesh is part of. */
-export interface MeshPicture extends ContentPicture {
+interface MeshPicture extends ContentPicture {
   readonly budget: Budget;
   readonly animations: Animations;
   /** What each mesh shows at first. */

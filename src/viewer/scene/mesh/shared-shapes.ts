@@ -23,7 +23,7 @@ import {
 } from '../../../phong/model/shapes/shapes.js';
 
 /** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
-export interface ShapeKey {
+interface ShapeKey {
   readonly name: GeometryName;
   readonly segments: number | undefined;
   readonly isLevel: boolean;
