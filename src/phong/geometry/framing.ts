@@ -22,6 +22,12 @@ export function fitTo(extent: Extent, target: Framing['target'], fov: number, as
   const empty = bounds === null;
   const fitted = fitPose(bounds, fov, aspect);
   if (target === 'auto') return { ...fitted, empty };
-  const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), fov, aspect);
-  return { target, radius, empty };
+  return {
+    target,
+    empty,
+    // A step for each mesh, so it is computed only when it is read: a given radius replaces it.
+    get radius() {
+      return empty ? fitted.radius : fitRadius(extent.radiusAbout(target), fov, aspect);
+    },
+  };
 }
