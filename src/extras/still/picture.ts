@@ -6,7 +6,8 @@
 // quarter of a code, and nothing bends much, its mean is right to some hundredths. A curve that
 // enters between two of the points, half a pixel apart, and leaves again cuts off 0.01 / r of the
 // pixel, r being its radius in pixels. Not where highlights may be that narrow, and not where another
-// object's triangle enters: rods and dots may be thinner.
+// object's triangle enters: rods and dots may be thinner. Parts of one model that are thinner than
+// half a pixel may be missed before the same model.
 //
 // All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places
 // where the screen takes that many: its picture differs by rounding where it draws the same
