@@ -53,6 +53,20 @@ interface ViewerElement extends ViewerProperties {
   removeEventListener: Listen<this, PhongViewerEventMap>;
 }
 
+/** Properties that no attribute has, with those that can only be read. */
+const OTHER_PROPERTIES = [
+  'texts',
+  'maxTriangles',
+  'maxMemory',
+  'camera',
+  'lights',
+  'meshes',
+  'loaded',
+  'scene',
+  'stats',
+  'ready',
+] as const;
+
 /**
  * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its
  * end tag. CSS sets its size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas
@@ -249,9 +263,9 @@ class ViewerElement extends LitElement implements PublicViewer {
     addStyles(this.renderRoot as ShadowRoot, styles);
     useTexts(this);
     this.#binding.upgrade();
-    upgradeProperty(this, 'texts');
-    upgradeProperty(this, 'maxTriangles');
-    upgradeProperty(this, 'maxMemory');
+    for (const key of OTHER_PROPERTIES) {
+      upgradeProperty(this, key);
+    }
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();

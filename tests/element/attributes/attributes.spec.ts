@@ -15,7 +15,14 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
   await page.goto(
     site.page(`<phong-viewer>${light}<phong-mesh></phong-mesh>${light}</phong-viewer>`),
   );
-  const ofViewer = { fov: 33, target: [1, 2, 3], theta: 'north', autoRotate: null };
+  const ofViewer = {
+    fov: 33,
+    target: [1, 2, 3],
+    theta: 'north',
+    autoRotate: null,
+    camera: 1,
+    ready: 1,
+  };
   await assign(page.locator('phong-viewer'), ofViewer);
   const first = page.locator('phong-light').first();
   await assign(first, { diffuse: '#fc8', cutoff: -3, name: 'early' });

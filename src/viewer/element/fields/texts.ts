@@ -51,12 +51,9 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
 
 /**
  * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are
- * warned of and dropped.
+ * warned of and dropped, those of what can only be read are dropped.
  */
-export function upgradeProperty(
-  element: object,
-  key: 'texts' | 'maxTriangles' | 'maxMemory',
-): void {
+export function upgradeProperty(element: object, key: string): void {
   if (!Object.hasOwn(element, key)) return;
   const value: unknown = Reflect.get(element, key);
   Reflect.deleteProperty(element, key);
