@@ -5,7 +5,7 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
+    test: /\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|mesh-animation|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
   },
   // What helpers and comparison have in common with the panel. Before its rows, which would take it
   // with them.
