@@ -119,7 +119,9 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
   const H = random.around(N, angle);
   const R = subtract(scale(N, 2 * dot(N, L)), L);
   const V = reflection === 'phong' ? random.around(R, angle) : subtract(scale(H, 2 * dot(L, H)), L);
-  return shining(random, n, { normal, L, V });
+  // With Blinn's half vector such a light is beside the branch point.
+  const isOpen = reflection === 'phong' && random.chance(0.3);
+  return shining(random, n, { normal, L, V }, isOpen);
 }
 
 /**
@@ -141,8 +143,12 @@ interface Directions {
 }
 
 /** The specular term alone under a white light from L, near or far, seen from V. */
-function shining(random: Random, n: number, { normal, L, V }: Directions): StressCase {
-  const isOpen = random.chance(0.3);
+function shining(
+  random: Random,
+  n: number,
+  { normal, L, V }: Directions,
+  isOpen = false,
+): StressCase {
   const p = isOpen ? openPoint(random, L) : float32(random.vector(-1, 1));
   const eye = float32(add(p, scale(V, isOpen ? random.from(0.02, 0.1) : random.from(1, 5))));
   const position =
