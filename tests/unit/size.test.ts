@@ -35,7 +35,7 @@ const tokensBelow = (folder: string): number =>
 
 it.each([
   ['src/phong', 71_500],
-  ['src/viewer', 59_900],
+  ['src/viewer', 60_050],
   ['src/extras/models', 67_500],
   ['src/extras/overlay', 30_860],
   ['src/extras/probe', 12_460],
@@ -50,7 +50,7 @@ it.each([
   ['src/extras/frameworks', 1_090],
   ['src/extras/exercise', 13_950],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 518_200],
+  ['tests', 518_420],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);

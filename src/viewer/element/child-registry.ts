@@ -1,6 +1,6 @@
-// Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth
-// and across shadow roots, but not in the content of a slot (slot="error"). A viewer that is
-// upgraded later finds them then.
+// Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth,
+// across shadow roots and in the slots of components, but not in the viewer's own (slot="error"). A
+// viewer that is upgraded later finds them then.
 
 /** Called synchronously. `moved`: the child is still there, but may have another place. */
 type Listener = Readonly<Record<'added' | 'removed' | 'moved', (child: HTMLElement) => void>>;
@@ -26,7 +26,12 @@ export function registryAround(element: Element): ChildRegistry | null {
     if (outer.localName === 'phong-viewer') {
       return (inner?.getAttribute('slot') ?? '') === '' ? registryOf(outer) : null;
     }
-    const parent: Element | null = outer.parentElement;
+    const { parentElement }: Element = outer;
+    // Where a component shows it. The viewer's own slots show its children.
+    const parent: Element | null =
+      parentElement?.localName === 'phong-viewer'
+        ? parentElement
+        : (outer.assignedSlot ?? parentElement);
     inner = parent === null ? null : outer;
     outer = parent ?? shadowTreeOf(outer)?.host ?? null;
   }
@@ -43,6 +48,10 @@ function shadowTreeOf(element: Element): ShadowRoot | null {
     ? (root as ShadowRoot)
     : null;
 }
+
+/** What a component shows in its slot; nothing for another element. */
+const slotted = (element: Element): readonly Element[] =>
+  element.localName === 'slot' ? (element as HTMLSlotElement).assignedElements() : [];
 
 export class ChildRegistry {
   readonly #viewer: Element;
@@ -97,14 +106,20 @@ function sorted(children: ReadonlySet<HTMLElement>, viewer: Element): HTMLElemen
   const visit = (tree: Node): void => {
     const walker = document.createTreeWalker(tree, NodeFilter.SHOW_ELEMENT);
     while (walker.nextNode() !== null) {
-      const element = walker.currentNode as HTMLElement;
-      if (children.has(element)) {
-        list.push(element);
-      }
-      const inner = trees.get(element);
-      if (inner !== undefined) {
-        visit(inner);
-      }
+      take(walker.currentNode as HTMLElement);
+    }
+  };
+  const take = (element: Element): void => {
+    if (children.has(element as HTMLElement)) {
+      list.push(element as HTMLElement);
+    }
+    const inner = trees.get(element);
+    if (inner !== undefined) {
+      visit(inner);
+    }
+    for (const shown of slotted(element)) {
+      take(shown);
+      visit(shown);
     }
   };
   const ownTree = trees.get(viewer);

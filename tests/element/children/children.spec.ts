@@ -97,6 +97,46 @@ test('children come and go while the viewer is outside the document', async ({ m
   same(await pixels(viewer), await shown(page, scene(green)));
 });
 
+test('children that a component shows in a slot belong to the viewer around the slot', async ({
+  page,
+  mount,
+}) => {
+  await mount(scene(), size);
+  const names = await page.evaluate(
+    async ([markup, children, { width, height }]) => {
+      const host = document.createElement('article');
+      host.innerHTML = children;
+      document.body.append(host);
+      host.attachShadow({ mode: 'open' }).innerHTML = markup;
+      const viewer = host.shadowRoot!.querySelector('phong-viewer')!;
+      Object.assign(viewer.style, { width: `${width}px`, height: `${height}px` });
+      const seen: string[] = [];
+      const see = async (): Promise<void> => {
+        await viewer.ready;
+        seen.push([...viewer.lights, ...viewer.meshes].map(({ name }) => name).join(' '));
+      };
+      await see();
+      const [red] = host.children as unknown as [HTMLElement];
+      red.slot = 'none';
+      await see();
+      red.slot = '';
+      const wrapper = document.createElement('div');
+      wrapper.innerHTML = '<phong-light name="dim" diffuse="9"></phong-light>';
+      host.prepend(wrapper);
+      await see();
+      wrapper.remove();
+      await see();
+      return seen;
+    },
+    [scene(green, '<slot></slot>'), red + box, size] as const,
+  );
+  expect(names).toEqual(['green red box', 'green box', 'green dim red box', 'green red box']);
+  same(
+    await pixels(page.locator('article phong-viewer')),
+    await shown(page, scene(green, red, box)),
+  );
+});
+
 test('children are found by a viewer that is defined later than they are', async ({
   page,
   site,

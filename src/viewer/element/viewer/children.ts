@@ -73,27 +73,33 @@ export class ViewerChildren {
     }
     inspect(this.#viewer);
     this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
+    this.#viewer.addEventListener('slotchange', this.#refresh);
   }
 
   readonly #slotted = (): void => inspect(this.#viewer, true);
 
   /**
-   * Custom elements get no callback for changes outside a document: looks for children that came or
-   * went there.
+   * Looks for children that came or went without a callback of theirs: outside a document, or into
+   * the slot of a component whose shadow tree holds the viewer.
    */
-  refresh(): void {
-    const found = this.#viewer.querySelectorAll('phong-light, phong-mesh');
+  readonly #refresh = (): void => {
+    const slots = Array.from(this.#viewer.querySelectorAll('slot'));
+    const shown = slots.flatMap((slot) => slot.assignedElements({ flatten: true }));
+    const found = [this.#viewer, ...shown].flatMap((root) => [
+      root,
+      ...root.querySelectorAll('phong-light, phong-mesh'),
+    ]);
     for (const child of [...this.#registry.all, ...found]) {
       register(child);
     }
-  }
+  };
 
   /**
    * Brings lights and meshes into document order. Does nothing unless children came, went or moved.
    */
   sort(): void {
     if (!this.#viewer.isConnected) {
-      this.refresh();
+      this.#refresh();
     }
     const { inOrder } = this.#registry;
     if (inOrder === this.#inOrder) return;
