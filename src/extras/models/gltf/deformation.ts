@@ -373,11 +373,10 @@ function normalizeAll(values: Float32Array, stride: number, from: number, to: nu
   for (let i = from * stride; i < to * stride; i += stride) {
     const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!];
     const length = Math.sqrt(x * x + y * y + z * z);
-    if (length > 0 && length < Infinity) {
-      values.set([x / length, y / length, z / length], i);
-    } else {
-      values.fill(0, i, i + 3);
-    }
+    const valid = length > 0 && length < Infinity;
+    values[i] = valid ? x / length : 0;
+    values[i + 1] = valid ? y / length : 0;
+    values[i + 2] = valid ? z / length : 0;
   }
 }
 

@@ -92,14 +92,18 @@ export class Reach {
       const cell = cellOf(dx, dy, dz);
       if (squared <= this.#farthest[cell]!) continue;
       this.#farthest[cell] = squared;
-      this.#points.set([x, y, z], 3 * cell);
+      this.#points[3 * cell] = x;
+      this.#points[3 * cell + 1] = y;
+      this.#points[3 * cell + 2] = z;
     }
   }
 
   #end(side: number, along: number, x: number, y: number, z: number): void {
     if (along <= this.#ends[side]!) return;
     this.#ends[side] = along;
-    this.#endPoints.set([x, y, z], 3 * side);
+    this.#endPoints[3 * side] = x;
+    this.#endPoints[3 * side + 1] = y;
+    this.#endPoints[3 * side + 2] = z;
   }
 }
 
