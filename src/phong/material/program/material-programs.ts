@@ -62,9 +62,9 @@ export class MaterialPrograms {
     const { meshLights, needs, packing, special } = this.#lighting;
     this.#lighting.drawWith(draw.renderer);
     const lights = meshLights.of(draw.mesh);
-    const plain = { variant: this.general(), lights };
-    if (this.#look.unlit || (packing.view?.program ?? null) !== null) return plain;
-    return special?.forDraw(draw, this.#drawnWith(needs.capacity), lights) ?? plain;
+    const hasOne = this.#look.unlit || (packing.view?.program ?? null) !== null;
+    const chosen = hasOne ? null : special?.forDraw(draw, this.#drawnWith(needs.capacity), lights);
+    return chosen ?? { variant: this.general(), lights };
   }
 
   /**
