@@ -125,8 +125,8 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
 }
 
 /**
- * A point for a light in direction L that float32 leaves as open as the contract allows: at
- * {@link openDistance} its coordinates are just above a power of two, where float32 is coarsest.
+ * A point p where float32 rounds the direction to a light the most: a light in direction L at
+ * {@link openDistance} has coordinates just above a power of two, where float32 is coarsest.
  */
 export const openPoint = (random: Random, L: Vec3): Vec3 =>
   float32(

@@ -27,7 +27,7 @@ export function registryAround(element: Element): ChildRegistry | null {
       return (inner?.getAttribute('slot') ?? '') === '' ? registryOf(outer) : null;
     }
     const { parentElement }: Element = outer;
-    // Where a component shows it. The viewer's own slots show its children.
+    // A component shows an element where its slot is. A viewer's own slots do not count.
     const parent: Element | null =
       parentElement?.localName === 'phong-viewer'
         ? parentElement

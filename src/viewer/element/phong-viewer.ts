@@ -65,7 +65,7 @@ const OTHER_PROPERTIES = [
   'scene',
   'stats',
   'ready',
-] as const;
+] as const satisfies readonly (keyof PublicViewer)[];
 
 /**
  * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its

@@ -50,8 +50,8 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
 }
 
 /**
- * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are
- * warned of and dropped, those of what can only be read are dropped.
+ * A value assigned before the upgrade is an own property, which hides the accessor. A wrong value is
+ * dropped with a warning, a value of a read-only property without one.
  */
 export function upgradeProperty(element: object, key: string): void {
   if (!Object.hasOwn(element, key)) return;
