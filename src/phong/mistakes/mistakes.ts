@@ -33,9 +33,9 @@ import {
 /** Steps in place of the right ones. */
 export type Form = Partial<Steps>;
 
-export interface Mistake {
+export interface Mistake<Sentence extends string = string> {
   /** A key of `texts`. */
-  readonly sentence: string;
+  readonly sentence: Sentence;
   readonly forms: readonly Form[];
 }
 
@@ -142,7 +142,12 @@ const termScaled = (term: Term, by: number): Form => ({
   [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
 });
 
-export const MISTAKES = {
+/** A table's type without its functions: the package's types would repeat each of them. */
+export const mistakeTable = <Id extends string, Sentence extends string>(
+  mistakes: Readonly<Record<Id, Mistake<Sentence>>>,
+) => mistakes;
+
+export const MISTAKES = mistakeTable({
   'no-clamp': {
     sentence: 'N·L is not clamped at 0: negative light is subtracted on the far side.',
     forms: [{ lambert: ({ NoL }) => NoL }],
@@ -450,7 +455,7 @@ export const MISTAKES = {
       ...TERMS.flatMap((term) => [255, 1 / 255].map((by) => termScaled(term, by))),
     ],
   },
-} as const satisfies Readonly<Record<string, Mistake>>;
+});
 
 /** Said where there is none. */
 export const NO_MISTAKE = 'Right.';

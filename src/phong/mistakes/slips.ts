@@ -3,7 +3,7 @@
 // a picture shows none of them, so the check of a learner's function leaves them out.
 import { radians } from '../math/angle.js';
 import { clamp, multiply, scale, type Vec3 } from '../math/vector.js';
-import type { Form, Mistake } from './mistakes.js';
+import { type Form, mistakeTable } from './mistakes.js';
 import { power, RIGHT } from './steps.js';
 
 const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
@@ -28,7 +28,7 @@ const LEFT_OUT = 'That is the value without {factor}.';
 const INSTEAD = 'That is the value with {wrong} in place of {right}.';
 const ALONE = 'That is {factor} alone.';
 
-export const SLIPS = {
+export const SLIPS = mistakeTable({
   'without-coefficient': {
     sentence: LEFT_OUT,
     forms: [
@@ -108,7 +108,7 @@ export const SLIPS = {
       { full: () => 255 * 255 },
     ],
   },
-} as const satisfies Readonly<Record<string, Mistake>>;
+});
 
 export type SlipId = keyof typeof SLIPS;
 

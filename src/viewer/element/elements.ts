@@ -5,7 +5,7 @@ import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
 import type { SlipId } from '../../phong/mistakes/slips.js';
 import type { LightShare } from '../../phong/reference/index.js';
-import type { ViewportStats } from '../scene/picture.js';
+import type { ViewportStats } from '../scene/viewport-stats.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from './fields/control-properties.js';
 import type { ExerciseProperties } from './fields/exercise-properties.js';

@@ -30,6 +30,7 @@ import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { ShownContent } from './mesh/shown-content.js';
+import type { ViewportStats } from './viewport-stats.js';
 import {
   copyFrame,
   drawnObjects,
@@ -355,38 +356,3 @@ export class Picture {
  * at −2.
  */
 const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
-
-/** What drawing costs. Counts since the viewport was created unless stated otherwise. */
-export interface ViewportStats {
-  readonly frames: number;
-  /**
-   * Frames of these that had fewer pixels, as something moved and drawing took too long. None where
-   * `pixel-ratio` is written.
-   */
-  readonly reducedFrames: number;
-  /**
-   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0
-   * before its first ones are shown. Stays 0 where the GPU has no float targets: `full` is like
-   * `edges` there.
-   */
-  readonly samples: number;
-  readonly lightsActive: number;
-  /**
-   * Lights that the shader loops over for at least one mesh; the others add ambient light only, or
-   * nothing.
-   */
-  readonly lightsSent: number;
-  /**
-   * The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were
-   * added.
-   */
-  readonly lightsSentByMesh: readonly number[];
-  /** Programs of the page's WebGL context. */
-  readonly programs: number;
-  /** In the last frame. */
-  readonly drawCalls: number;
-  /** Uploads of light data. */
-  readonly uploads: number;
-  /** Viewers that the page's last frame has drawn: those in view that had changed. */
-  readonly viewersDrawn: number;
-}

@@ -7,7 +7,8 @@ import { type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from '../../phong/math/region.js';
 import { pace } from './gpu/pace.js';
 import { stage } from './gpu/stage.js';
-import { Picture, type ViewportStats } from './picture.js';
+import { Picture } from './picture.js';
+import type { ViewportStats } from './viewport-stats.js';
 import { StillPicture } from './still-picture.js';
 
 const NONE = -1; // no version of a picture
