@@ -3,7 +3,7 @@
 // README's picture. The picture shows exactly that markup; tests/visual/readme.spec.ts compares the
 // two. Needs `npm run build` first.
 
-import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
+import { createReadStream, existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -14,7 +14,7 @@ import { outputFolder } from './output-folder.mjs';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
 /** Relative to the repository. */
-export const README_PICTURE = 'demo/assets/images/readme.png';
+export const README_PICTURE = 'demo/assets/images/readme.webp';
 
 /** Device pixels per CSS pixel of the picture. */
 export const README_PICTURE_SCALE = 1.5;
@@ -35,6 +35,29 @@ export function readmePage() {
 /** The scene of that page. @returns {string} */
 export const readmeSnippet = () =>
   /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
+
+/**
+ * As WebP, by the browser: a third of the PNG's bytes, which every copy of the package would hold.
+ * @param {import('@playwright/test').Page} page
+ * @param {Buffer} png
+ * @returns {Promise<Buffer>}
+ */
+async function webpOf(page, png) {
+  const base64 = await page.evaluate(
+    async (source) => {
+      const image = new Image();
+      image.src = source;
+      await image.decode();
+      const canvas = document.createElement('canvas');
+      canvas.width = image.naturalWidth;
+      canvas.height = image.naturalHeight;
+      canvas.getContext('2d')?.drawImage(image, 0, 0);
+      return canvas.toDataURL('image/webp', 0.95).split(',')[1] ?? '';
+    },
+    `data:image/png;base64,${png.toString('base64')}`,
+  );
+  return Buffer.from(base64, 'base64');
+}
 
 async function draw() {
   readCommandLine(
@@ -85,7 +108,7 @@ async function draw() {
       return stats.samples === samples;
     });
     const file = join(repository, README_PICTURE);
-    await viewer.screenshot({ path: file });
+    writeFileSync(file, await webpOf(page, await viewer.screenshot()));
     console.log(`${README_PICTURE}: ${String(Math.round(statSync(file).size / 1024))} KiB`);
   } finally {
     await browser.close();

@@ -4,7 +4,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { expect, test as base, type Locator } from '@playwright/test';
+import { expect, test as base, type Locator, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 
 export interface Picture {
@@ -49,6 +49,19 @@ export async function pixels(
     });
   }, size);
   return decodePng(Buffer.from(base64, 'base64'));
+}
+
+/** A PNG, JPEG or WebP as the browser decodes it. */
+export async function decodeInPage(page: Page, file: Buffer): Promise<Picture> {
+  const { width, height, codes } = await page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none' });
+    const { width, height } = image;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    return { width, height, codes: context.getImageData(0, 0, width, height).data };
+  }, file.toString('base64'));
+  return { width, height, data: new Uint8Array(codes) };
 }
 
 /** The pictures are equal to the bit. */

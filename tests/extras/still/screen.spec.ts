@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { decodeImage } from '../../../src/extras/still/images.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
 import type * as stills from '../../../src/extras/still/index.js';
+import { decodeInPage } from '../../support/picture.js';
 import { fullOr } from '../../support/repeats.js';
 import { expect, pixels, test } from '../../support/test.js';
 import { modelScenes, siteScenes } from './scenes.js';
@@ -76,13 +77,7 @@ test('a JPEG has the colours that the browser decodes, within four codes', async
     const file = new URL(`../../../demo/assets/models/real/${name}`, import.meta.url);
     const bytes = readFileSync(file);
     const { data } = await decodeImage({ bytes: Uint8Array.from(bytes), type: 'image/jpeg' });
-    const there = await page.evaluate(async (text) => {
-      const file = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-      const image = await createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none' });
-      const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
-      context.drawImage(image, 0, 0);
-      return context.getImageData(0, 0, image.width, image.height).data;
-    }, bytes.toString('base64'));
+    const { data: there } = await decodeInPage(page, bytes);
     let [most, within] = [0, 0];
     for (const [i, code] of there.entries()) {
       const error = Math.abs(code - data[i]!);
