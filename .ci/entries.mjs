@@ -86,7 +86,6 @@ export function packageExports() {
   return {
     exports: {
       ...exports,
-      './texts/*.json': './dist/texts/*.json',
       './texts/*': { types: './dist/texts/*.d.ts', default: './dist/texts/*.js' },
       ...Object.fromEntries(DATA.map((name) => [`./${name}`, `./dist/${name}`])),
       './package.json': './package.json',

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it
-// to import; and the type of their keys. A step of `npm run build`, after the types.
+// Writes the ready sets of texts into dist/texts/, each a module whose value is JSON, to import or to
+// paste into a page; and the type of their keys. A step of `npm run build`, after the types.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -55,7 +55,6 @@ export default texts;
 `;
   for (const name of LANGUAGES) {
     const json = JSON.stringify(textsIn(name), null, 2);
-    writeFileSync(join(target, `${name}.json`), `${json}\n`);
     writeFileSync(join(target, `${name}.js`), `export default ${json};\n`);
     writeFileSync(join(target, `${name}.d.ts`), module);
   }

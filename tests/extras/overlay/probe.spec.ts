@@ -402,11 +402,11 @@ test.describe('the box', () => {
       expect(name, `${width}: the name`).toBeGreaterThan(20);
     }
     // Lights that share a row are counted in it, in long words too.
-    await viewer.evaluate(async (element: PhongViewer) => {
-      element.texts = await (await fetch('/dist/texts/pt.json')).json();
+    await viewer.evaluate(async (element: PhongViewer, texts) => {
+      element.texts = (await import(texts)).default;
       element.insertAdjacentHTML('beforeend', element.innerHTML + element.innerHTML);
       element.style.height = '300px';
-    });
+    }, '/dist/texts/pt.js');
     for (const width of [320, 400, 600, 900]) {
       await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
       await nextFrame(page);

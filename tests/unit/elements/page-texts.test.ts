@@ -53,7 +53,7 @@ it('each mistake in the scripts gives one warning; other texts are used', async 
   expect(warn.mock.calls.map(([text]) => String(text).replace(about, ''))).toEqual([
     expect.stringMatching(/^is not JSON, so it is not used: .*JSON/),
     'must be an object of texts by English text, so it is not used. Write {"Try again": "…"}.',
-    'has texts that no viewer shows: "Closed" (did you mean "Close"?). phong-viewer/texts/de.json has all keys.',
+    'has texts that no viewer shows: "Closed" (did you mean "Close"?). phong-viewer/texts/de has all keys.',
   ]);
   warn.mockRestore();
 });

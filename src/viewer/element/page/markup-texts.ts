@@ -57,5 +57,5 @@ function unknownKeys(texts: ViewerTexts): string | null {
     return `"${clip(key)}"${meant === undefined ? '' : ` (did you mean "${meant}"?)`}`;
   });
   const more = unknown.length > NAMED ? `, and ${String(unknown.length - NAMED)} more` : '';
-  return `has texts that no viewer shows: ${named.join(', ')}${more}. phong-viewer/texts/de.json has all keys.`;
+  return `has texts that no viewer shows: ${named.join(', ')}${more}. phong-viewer/texts/de has all keys.`;
 }
