@@ -251,22 +251,24 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   await page.unroute(code);
 });
 
-test('an image in the slot "poster" is shown over the picture until the first one, also in print', async ({
+test('an image in the slot "poster" lies over the picture, beside the panel, until the first one, also in print', async ({
   page,
   mount,
 }) => {
   const image = `<img slot="poster" src="${POSTER}" width="20" height="10" alt="">`;
   const viewer = await mountSlow(page, mount, {
-    attributes: `poster="${POSTER}"`,
+    attributes: `gui poster="${POSTER}"`,
     inner: image,
+    width: 760,
     css: 'img { height: auto; margin: 5px; max-width: 50% }',
   });
   const poster = viewer.locator('> img');
-  const place = { x: 0, y: 0, ...size };
-  await expect.poll(() => poster.boundingBox()).toEqual(place);
+  const place = () => viewer.locator('[part=surface]').boundingBox();
+  await expect.poll(async () => (await poster.boundingBox())!.width).toBeCloseTo(454, 0);
+  expect(await poster.boundingBox()).toEqual(await place());
   await expect(viewer.locator('[part=poster]')).toBeHidden();
   await page.emulateMedia({ media: 'print' });
-  expect(await poster.boundingBox()).toEqual(place);
+  expect(await poster.boundingBox()).toEqual(await place());
   await page.emulateMedia({ media: null });
   await poster.evaluate((element) => element.remove());
   await expect(viewer.locator('[part=poster]')).toBeVisible();
