@@ -42,7 +42,7 @@ it.each([
   ['src/extras/panel', 19_640],
   ['src/extras/still', 23_940],
   ['src/extras/png', 2_200],
-  ['src/extras/lazy', 870],
+  ['src/extras/lazy', 860],
   ['src/extras/explain', 9_840],
   ['src/extras/samples', 4_970],
   ['src/extras/compare', 4_660],

@@ -24,7 +24,9 @@ const HOST = `:where(${VIEWER}:not(:defined))`;
 /** The box that the element will have itself. Any rule of the page is stronger. */
 const BOX =
   `${HOST}{display:inline-block;width:300px;height:150px;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
-  `${HOST}>[slot=poster]{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}`;
+  `${HOST}>[slot=poster]{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}` +
+  // Beside the place of a panel lies a picture of another shape, which the poster has.
+  `${HOST}[gui]>[slot=poster]{width:auto}`;
 
 /** The events of a drag that has begun, and those that ask for the elements. */
 const EVENTS = 'pointermove,pointerup,pointercancel,pointerdown,pointerover,focusin,keydown'.split(
@@ -32,7 +34,7 @@ const EVENTS = 'pointermove,pointerup,pointercancel,pointerdown,pointerover,focu
 );
 const CANCEL = 2;
 const DOWN = 3;
-const KEY = 6;
+const FOCUS = 5;
 
 /** A drag that began before the elements were there: its press, newest move and end. */
 let held: (PointerEvent | undefined)[] = [];
@@ -73,34 +75,24 @@ const near =
 /** Shows each poster, and finds what needs more than that. */
 function prepare(): void {
   for (const element of page.querySelectorAll<HTMLElement>(STILL)) {
-    if (element.localName !== VIEWER) {
-      near?.observe(element);
-      for (const id of `${element.getAttribute('for')}`.split(' ')) {
-        near?.observe(page.getElementById(id) ?? element);
+    if (element.localName === VIEWER) {
+      const src = element.getAttribute('poster');
+      let poster = element.querySelector<HTMLImageElement>('[slot=poster]');
+      if (src && !poster) {
+        poster = Object.assign(new Image(), { slot: 'poster', src });
+        element.prepend(poster);
       }
-      continue;
+      if (poster) {
+        // What it shows is said until the element says it.
+        poster.alt ||= element.getAttribute('alt') ?? '';
+        if (!LIVELY.test(element.outerHTML)) continue;
+      }
+    } else {
+      for (const id of `${element.getAttribute('for')}`.split(' ')) {
+        near!.observe(page.getElementById(id) ?? element);
+      }
     }
-    const src = element.getAttribute('poster');
-    let poster = element.querySelector<HTMLImageElement>('[slot=poster]');
-    if (src && !poster) {
-      poster = Object.assign(new Image(), { slot: 'poster', src });
-      element.prepend(poster);
-    }
-    if (poster) {
-      // What it shows is said until the element says it.
-      poster.alt ||= element.getAttribute('alt') ?? '';
-    }
-    if (!poster || LIVELY.test(element.outerHTML)) {
-      near?.observe(element);
-    }
-  }
-}
-
-/** Before the key moves the focus: it can reach the viewers then. */
-function lend(): void {
-  for (const viewer of page.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
-    viewer.tabIndex = 0;
-    lent.push(viewer);
+    near!.observe(element);
   }
 }
 
@@ -111,8 +103,12 @@ function hear(event: PointerEvent): void {
   if (asks) {
     void load();
   }
-  if (at === KEY && !elements) {
-    lend();
+  if (at > FOCUS && !elements) {
+    // Before the key moves the focus: it can reach the viewers then.
+    for (const unreached of page.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
+      unreached.tabIndex = 0;
+      lent.push(unreached);
+    }
   }
   if (asks && at === DOWN) {
     held = [event];

@@ -159,12 +159,10 @@ test('the keyboard reaches a viewer, and has it once the elements are there', as
 });
 
 for (const [what, body] of [
-  ['a viewer that turns', figure('auto-rotate="10"')],
   ['a viewer with an animation', figure('', '<phong-mesh geometry="box" autoplay></phong-mesh>')],
-  ['a viewer with a panel', figure('gui')],
-  ['a viewer with a probe', figure('probe')],
-  ['a viewer with helpers', figure('helpers')],
-  ['a viewer of a camera group', figure('camera-group="a"')],
+  ...['gui', 'probe', 'helpers', 'auto-rotate="9"', 'camera-group="a"'].map(
+    (name) => [`a viewer with ${name}`, figure(name)] as const,
+  ),
   ['a viewer without a poster', `<phong-viewer ${BALL}></phong-viewer>`],
   ['a comparison', `<phong-compare>${figure()}${figure()}</phong-compare>`],
   ['a control', '<phong-control attribute="theta"></phong-control>'],
@@ -233,6 +231,21 @@ test('a viewer has the same box before as after, with any poster', async ({ page
   await page.locator('phong-viewer').hover();
   await waitForPicture(page);
   expect(await page.locator('phong-viewer').boundingBox()).toEqual((before as object[])[0]);
+});
+
+test('a poster of the shape of a picture beside a panel lies where that will be', async ({
+  page,
+  site,
+}) => {
+  const send = await holdElements(page);
+  const rules = `${css} phong-viewer { width: 906px; height: 400px }`;
+  await page.goto(site.page(figure('gui'), { css: rules, head }));
+  const box = { x: 60, y: 60, width: 600, height: 400 };
+  await expect.poll(() => page.locator('[slot=poster]').boundingBox()).toEqual(box);
+  send();
+  await waitForPicture(page);
+  const surface = await page.locator('[part=surface]').boundingBox();
+  expect(surface!.width).toBeCloseTo(600, 0);
 });
 
 const shot = async (viewer: Locator): Promise<PNG> => PNG.sync.read(await viewer.screenshot());
