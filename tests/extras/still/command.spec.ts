@@ -40,7 +40,8 @@ test('a page gets its posters, and no other byte of it changes', () => {
     '<phong-viewer style="width:40px;height:30px" geometry=box>',
     '\r\n\t<!-- a comment --><phong-light  position="1 2 3"/></phong-light>\r\n</phong-viewer>',
     '<Phong-Viewer id="the ring" width=24 height=12 geometry="torus">',
-    '</Phong-Viewer>\n<template><phong-viewer></phong-viewer></template>',
+    '</Phong-Viewer>\n<phong-viewer gui style="width: 700px; height: 8px">',
+    '</phong-viewer>\n<template><phong-viewer></phong-viewer></template>',
     '<!-- <phong-viewer></phong-viewer> --><script>"<phong-viewer></phong-viewer>"</script>\n',
   ];
   const folder = folderOf({ 'a b.html': before.join('') });
@@ -50,6 +51,8 @@ test('a page gets its posters, and no other byte of it changes', () => {
   const after = [...before];
   after[1] += `\r\n\t${POSTER('a%20b.1.png', 40, 30)}`;
   after[3] += POSTER('a%20b.the-ring.png', 24, 12);
+  // Without the place of the panel.
+  after[4] += POSTER('a%20b.3.png', 394, 8);
   expect(folder.text('a b.html')).toBe(after.join(''));
   const { width, height } = PNG.sync.read(readFileSync(folder.path('a b.the-ring.png')));
   expect([width, height]).toEqual([24, 12]);
@@ -83,8 +86,6 @@ test('what is up to date is left alone, and --check fails where something is not
     folder.path('index.html'),
     page.replace('<phong-light>', '<phong-light diffuse="9">'),
   );
-  fails('shows other markup');
-  writeFileSync(folder.path('index.html'), page.replace('aspect', 'background: red; aspect'));
   fails('shows other markup');
   writeFileSync(folder.path('index.html'), page);
   writeFileSync(folder.path('box.ply'), folder.text('box.ply').replace('ply\n', 'ply\ncomment\n'));
@@ -133,8 +134,11 @@ test('a viewer has the size and the background of a rule in <style>, the stronge
 
 // What stands in the viewer's way is written back as it was: only its image is new.
 for (const [what, before, after, src = 'p.1.png'] of [
-  ['upper-case attributes', '<PHONG-VIEWER STYLE="WIDTH:8PX;HEIGHT:8PX">', '</PHONG-VIEWER>'],
-  ['no quotes', '<phong-viewer style=width:8px;height:8px alt=a&lt;b>', '</phong-viewer>'],
+  [
+    'capitals, no quotes',
+    '<PHONG-VIEWER STYLE=WIDTH:8PX;HEIGHT:8PX ALT=a&lt;b>',
+    '</PHONG-VIEWER>',
+  ],
   [
     'a NUL and lone carriage returns',
     'a\0b\r<phong-viewer width=8 height=8>',
@@ -147,22 +151,15 @@ for (const [what, before, after, src = 'p.1.png'] of [
   ],
   ['HTML in SVG', '<svg><foreignObject><phong-viewer width=8 height=8>', '</phong-viewer></svg>'],
   [
-    'a base that is no address',
-    '<base href="http://["><phong-viewer width=8 height=8>',
+    'a base that is no address and an empty id',
+    '<base href="http://["><phong-viewer id width=8 height=8>',
     '</phong-viewer>',
   ],
-  ['an empty id', '<phong-viewer id width=8 height=8>', '</phong-viewer>'],
   [
-    'an id of other letters',
-    '<phong-viewer id="к/../я" width=8 height=8>',
+    'an id of other letters, longer than names of files',
+    `<phong-viewer id="к/../я${'x'.repeat(300)}" width=8 height=8>`,
     '</phong-viewer>',
-    'p.%D0%BA-%D1%8F.png',
-  ],
-  [
-    'an id longer than names of files',
-    `<phong-viewer id="${'x'.repeat(300)}" width=8 height=8>`,
-    '</phong-viewer>',
-    `p.${'x'.repeat(50)}.png`,
+    `p.%D0%BA-%D1%8F${'x'.repeat(47)}.png`,
   ],
 ] as const) {
   test(`a page with ${what} gets its poster, and no other byte changes`, () => {
@@ -236,8 +233,10 @@ test('a script from the command line draws on threads', () => {
   const still = JSON.stringify(pathToFileURL(join(outputFolder('dist'), 'still.js')));
   const script = `import { still } from ${still};
     process.stdout.write((await still('<phong-viewer></phong-viewer>', { width: 9, height: 8, threads: 1e6 })).png.subarray(1, 4));`;
-  const { stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', script]);
-  expect({ out: stdout.toString(), err: stderr.toString() }).toEqual({ out: 'PNG', err: '' });
+  const run = spawnSync(process.execPath, ['--input-type=module', '-e', script], {
+    encoding: 'utf8',
+  });
+  expect(run).toMatchObject({ stdout: 'PNG', stderr: '' });
 });
 
 test('--out draws one picture and leaves the page as it is', () => {
@@ -262,7 +261,6 @@ for (const [what, page, part] of [
     '<p>\n<phong-viewer geometry="box"><p>',
     '2: <phong-viewer> needs',
   ],
-  ['a viewer that closes itself', '<phong-viewer geometry="box" />', '1: <phong-viewer> needs'],
   [
     'a viewer in a viewer',
     sized('', '<b><phong-viewer></phong-viewer></b>'),
@@ -270,7 +268,6 @@ for (const [what, page, part] of [
   ],
   ['a page without a viewer', '<p>', ' has no <phong-viewer>'],
   ['a missing model', sized('src="none.glb"'), '2: The file none.glb cannot be read'],
-  ['a model of no format', sized('src="page.html"'), '2: '],
   ['a host that does not answer', sized('src="http://127.0.0.1:9/a.glb"'), '2: '],
   ['a device for a model', sized('src="/dev/zero" type="model/gltf-binary"'), '2: The file zero'],
   [
@@ -278,23 +275,7 @@ for (const [what, page, part] of [
     '<svg><phong-viewer width="8" height="8" /></svg>',
     ' has no',
   ],
-  [
-    'a page in UTF-16',
-    Buffer.from('\ufeff<phong-viewer></phong-viewer>', 'utf16le'),
-    ' is not UTF-8',
-  ],
-  ['a view that stills lack', sized('geometry="box" view="triangles"'), '2: a still cannot show'],
-  [
-    'a colour that stills lack',
-    sized('geometry="box" kd="oklch(1 0 0)"'),
-    '2: a still cannot read',
-  ],
   ['a base elsewhere', `<base href="https://a.example/">${sized('')}`, '2: <base href> leads to'],
-  [
-    'more triangles than fit',
-    sized('', '<phong-mesh geometry="teapot" segments="512"></phong-mesh>'.repeat(20)),
-    '2: The still has',
-  ],
   [
     'a viewer too large',
     '<phong-viewer width="99999" height="99999"></phong-viewer>',
@@ -307,7 +288,7 @@ for (const [what, page, part] of [
     expect({ status, out }).toEqual({ status: 1, out: '' });
     expect(err).toMatch(/^page\.html:.*\n$/);
     expect(err).toContain(`page.html:${part}`);
-    expect(readFileSync(folder.path('page.html'))).toEqual(Buffer.from(page));
+    expect(folder.text('page.html')).toBe(page);
   });
 }
 
@@ -340,7 +321,6 @@ for (const [args, part] of [
   [['still'], 'Name the pages'],
   [['still', 'a.html', '--size', '760'], '--size takes'],
   [['still', 'a.html', '--scale', '0'], '--scale takes'],
-  [['still', 'a.html', '--scale', 'NaN'], '--scale takes'],
   [['still', 'a.html', '--zoom', '2'], "Unknown option '--zoom'"],
   [['still', 'a.html', 'b.html', '--out', 'a.png'], '--out is for one'],
 ] as const) {
@@ -353,7 +333,6 @@ for (const [args, part] of [
 }
 
 test('--help says what the command does', () => {
-  const { status, out } = folderOf({}).run('--help');
-  expect(status).toBe(0);
-  expect(out).toMatch(/^Usage: phong-viewer still/);
+  const help = { status: 0, out: expect.stringMatching(/^Usage: phong-viewer still/) };
+  expect(folderOf({}).run('--help')).toMatchObject(help);
 });

@@ -14,7 +14,8 @@ writes it into the viewer as <img slot="poster">, which is shown without any scr
 else of a page changes. What is up to date is left as it is.
 
 A viewer needs a size in pixels: by its style, by a rule in <style> for its tag, classes or
-id, or by its attributes width and height. Other style sheets are not read.
+id, or by its attributes width and height. Other style sheets are not read. The place of a
+panel (gui, from 640 pixels on) is left out.
 
   --size 760x420    the size of viewers that say none
   --scale 2         pixels of the PNG for each pixel of the page, for dense screens
@@ -57,7 +58,7 @@ async function run(args: readonly string[]): Promise<number> {
   if (files.length === 0) throw new UsageError('Name the pages: phong-viewer still index.html.');
   const settings: Settings = {
     size: values.size === undefined ? null : sizeFrom(values.size),
-    scale: values.scale === undefined ? 1 : scaleFrom(values.scale),
+    scale: scaleFrom(values.scale),
     check: values.check,
     out: values.out ?? null,
     version,
@@ -79,7 +80,7 @@ function readArguments(args: readonly string[]) {
       allowPositionals: true,
       options: {
         size: { type: 'string' },
-        scale: { type: 'string' },
+        scale: { type: 'string', default: '1' },
         out: { type: 'string' },
         check: { type: 'boolean', default: false },
         help: { type: 'boolean', short: 'h', default: false },

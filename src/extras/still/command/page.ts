@@ -1,6 +1,7 @@
 // The viewers of an HTML file as it is written: where they stand, how large they are, and which
 // poster they have. Edits the file by places in its text, so that nothing else changes.
 import { type DefaultTreeAdapterTypes, html, parse } from 'parse5';
+import { PANEL_PLACE } from '../../../viewer/extra.js';
 import { elementsBelow } from '../elements.js';
 
 /** CSS pixels. */
@@ -24,8 +25,11 @@ export interface PageViewer {
   readonly name: string;
   /** As it is written, without its poster. */
   readonly markup: string;
-  /** Null unless the page says it in pixels. */
-  readonly size: Size | null;
+  /**
+   * Of its picture, without the place of its panel. `unstated`: of a viewer whose size the page does
+   * not say in pixels.
+   */
+  pictureSize(unstated: Size | null): Size | null;
   /** The size of the image in its slot. */
   readonly posterSize: Size | null;
   /** What its style says; null for nothing. */
@@ -35,7 +39,7 @@ export interface PageViewer {
   /** The address of the image in its slot; null for no image. */
   readonly poster: string | null;
   /** The edits that give the slot an image of this address and size. */
-  readonly withPoster: (src: string, size: Size) => readonly Edit[];
+  withPoster(src: string, size: Size): readonly Edit[];
 }
 
 export interface Page {
@@ -86,21 +90,21 @@ function pageViewer(
   );
   const imageAt = image?.sourceCodeLocation ?? null;
   const style = styleOf(element, rules);
-  const isOther = image !== undefined && image.tagName !== 'img';
   return {
     line: place.startLine,
     name: attribute(element, 'id') || String(number),
     markup: without(text.slice(place.startOffset, place.endOffset), imageAt, place.startOffset),
-    size: sizeOf(element, style),
+    pictureSize: (unstated) => besidePanel(element, sizeOf(element, style) ?? unstated),
     posterSize: image === undefined ? null : sizeOf(image, ''),
     background: declared(style, 'background-color') ?? declared(style, 'background'),
-    skipped: isOther
-      ? `has a poster of its own, <${image.tagName}>`
-      : attribute(element, 'poster') !== null
-        ? 'has a poster of its own, the attribute "poster"'
-        : isInComparison(element)
-          ? 'is in a comparison, which sets its size'
-          : null,
+    skipped:
+      image !== undefined && image.tagName !== 'img'
+        ? `has a poster of its own, <${image.tagName}>`
+        : attribute(element, 'poster') !== null
+          ? 'has a poster of its own, the attribute "poster"'
+          : isInComparison(element)
+            ? 'is in a comparison, which sets its size'
+            : null,
     poster: image === undefined ? null : (attribute(image, 'src') ?? ''),
     withPoster(src, { width, height }) {
       const values = { src, width: String(width), height: String(height) };
@@ -150,13 +154,10 @@ const escaped = (text: string): string => text.replaceAll('&', '&amp;').replaceA
 const attribute = ({ attrs }: Element, name: string): string | null =>
   attrs.find((one) => one.name === name)?.value ?? null;
 
-function isInComparison({ parentNode }: Element): boolean {
-  let around = parentNode;
-  while (around !== null && 'tagName' in around && around.tagName !== 'phong-compare') {
-    around = around.parentNode;
-  }
-  return around !== null && 'tagName' in around;
-}
+const isInComparison = ({ parentNode: around }: Element): boolean =>
+  around !== null &&
+  'tagName' in around &&
+  (around.tagName === 'phong-compare' || isInComparison(around));
 
 /** A rule of a style sheet whose selector has no spaces and colons. */
 interface Rule {
@@ -211,6 +212,15 @@ function sizeOf(element: Element, style: string): Size | null {
   if (width === null || height === null) return null;
   const size = { width: Math.round(width), height: Math.round(height) };
   return size.width >= 1 && size.height >= 1 && Number.isFinite(size.height) ? size : null;
+}
+
+/** What an open panel leaves where text has its usual size, see phong-viewer.css. */
+function besidePanel(element: Element, size: Size | null): Size | null {
+  return size !== null &&
+    size.width >= PANEL_PLACE.wide &&
+    (attribute(element, 'gui') ?? 'false') !== 'false'
+    ? { ...size, width: size.width - 306 }
+    : size;
 }
 
 const pixels = (value: string | null): number | null =>

@@ -27,63 +27,58 @@ const messageOf = (error: unknown): string =>
 
 /** Whether all is well. What is not is said. */
 export async function updatePage(file: string, settings: Settings): Promise<boolean> {
-  let text: string;
-  let page: Page;
   try {
     const bytes = readFileSync(file);
-    text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-    page = readPage(text);
-  } catch (error) {
-    complain(`${file}:${reasonOf(error)}`);
-    return false;
-  }
-  const { viewers } = page;
-  if (viewers.length === 0 || (settings.out !== null && viewers.length > 1)) {
-    complain(
-      `${file}: has ${viewers.length === 0 ? 'no <phong-viewer>' : 'several viewers: --out is for one'}.`,
-    );
-    return false;
-  }
-  const edits: Edit[] = [];
-  const targets = new Targets(file, page);
-  let isWell = true;
-  for (const viewer of viewers) {
-    const at = `${file}:${String(viewer.line)}:`;
-    try {
-      const made = await updateViewer(viewer, { at, page, targets, settings });
-      edits.push(...made.edits);
-      isWell &&= made.isWell;
-    } catch (error) {
-      complain(`${at} ${messageOf(error)}`);
-      isWell = false;
+    const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+    const page = readPage(text);
+    const { viewers } = page;
+    if (viewers.length === 0 || (settings.out !== null && viewers.length > 1)) {
+      complain(
+        `${file}: has ${viewers.length === 0 ? 'no <phong-viewer>' : 'several viewers: --out is for one'}.`,
+      );
+      return false;
     }
-  }
-  try {
+    const edits: Edit[] = [];
+    const targets = new Targets(file, page);
+    let isWell = true;
+    for (const viewer of viewers) {
+      const at = `${file}:${String(viewer.line)}:`;
+      try {
+        const made = await updateViewer(viewer, { at, targets, settings });
+        edits.push(...made.edits);
+        isWell &&= made.isWell;
+      } catch (error) {
+        complain(`${at} ${messageOf(error)}`);
+        isWell = false;
+      }
+    }
     if (edits.length > 0 && !settings.check) {
       writeFileSync(file, edited(text, edits));
     }
+    return isWell;
   } catch (error) {
     complain(`${file}:${reasonOf(error)}`);
     return false;
   }
-  return isWell;
 }
+
+const REASONS: Readonly<Record<string, string>> = {
+  ENOENT: ' there is no such file.',
+  EISDIR: ' is a folder: name the pages in it.',
+  EACCES: ' this user may not read or write it.',
+  ERR_ENCODING_INVALID_ENCODED_DATA: ' is not UTF-8.',
+};
 
 /** Ends the line that begins with a file's name. */
 function reasonOf(error: unknown): string {
-  const code = (error as { readonly code?: string }).code;
-  if (code === 'ENOENT') return ' there is no such file.';
-  if (code === 'EISDIR') return ' is a folder: name the pages in it.';
-  if (code === 'EACCES') return ' this user may not read or write it.';
-  if (code === 'ERR_ENCODING_INVALID_ENCODED_DATA') return ' is not UTF-8.';
+  const { code = '' } = error as { readonly code?: string };
   const message = messageOf(error);
-  return /^\d/.test(message) ? message : ` ${message}`;
+  return REASONS[code] ?? (/^\d/.test(message) ? message : ` ${message}`);
 }
 
 interface ViewerPlace {
   /** The line's beginning: file and line. */
   readonly at: string;
-  readonly page: Page;
   readonly targets: Targets;
   readonly settings: Settings;
 }
@@ -101,18 +96,16 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
     say(`${at} left alone: it ${viewer.skipped}.`);
     return { edits: [], isWell: true };
   }
-  const size = viewer.size ?? settings.size ?? viewer.posterSize;
+  const size = viewer.pictureSize(settings.size) ?? viewer.posterSize;
   if (size === null) {
     throw new Error(
       'the viewer has no size in pixels, by its style, a rule in <style> or its attributes width and height: use --size 760x420.',
     );
   }
+  const scaled = (length: number) => Math.max(1, Math.round(length * scale));
   const source: PosterSource = {
     markup: viewer.markup,
-    size: {
-      width: Math.max(1, Math.round(size.width * scale)),
-      height: Math.max(1, Math.round(size.height * scale)),
-    },
+    size: { width: scaled(size.width), height: scaled(size.height) },
     background: backgroundOf(viewer, (message) => complain(`${at} ${message}`)),
     base: targets.base,
     version: settings.version,
