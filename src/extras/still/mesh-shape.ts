@@ -76,18 +76,21 @@ const withAlpha = (color: Attribute): Float64Array =>
     i % 4 < color.itemSize ? color.getComponent(Math.floor(i / 4), i % 4) : 1,
   );
 
-/** The texture's own coordinates, moved as it says. three.js's matrix needs the engine's sines. */
+/**
+ * The texture's own coordinates, moved as glTF says: scaled, turned, shifted. three.js's matrix needs
+ * the engine's sines.
+ */
 function coordinatesOf({ attributes }: BufferGeometry, texture: Texture): Float64Array {
-  const { channel, offset, repeat, center, rotation } = texture;
+  const { channel, offset, repeat, rotation } = texture;
   const uv = attributes[channel === 0 ? 'uv' : `uv${String(channel)}`];
   if (uv === undefined) return new Float64Array();
   const degrees = (rotation * 180) / Math.PI;
   const [c, s] = [cosDegrees(degrees), sinDegrees(degrees)];
   const moved = new Float64Array(2 * uv.count);
   for (let i = 0; i < uv.count; i++) {
-    const [u, v] = [uv.getX(i) - center.x, uv.getY(i) - center.y];
-    moved[2 * i] = repeat.x * (c * u + s * v) + center.x + offset.x;
-    moved[2 * i + 1] = repeat.y * (c * v - s * u) + center.y + offset.y;
+    const [u, v] = [uv.getX(i) * repeat.x, uv.getY(i) * repeat.y];
+    moved[2 * i] = c * u + s * v + offset.x;
+    moved[2 * i + 1] = c * v - s * u + offset.y;
   }
   return moved;
 }

@@ -147,6 +147,20 @@ describe('a still', () => {
     expect((await draw(model(clear))).middle).toEqual([0, 0, 0, 0]);
   });
 
+  it('moves a texture as glTF says: first the scale, then the turn', async () => {
+    const texels = Array.from({ length: 16 }, (_, i) => [10 * i, 10 * i, 10 * i] as const);
+    // The middle, (0.5, 0.5), is scaled to (0.25, 0.5), turned to (0.5, -0.25), and moved to the
+    // middle of the third texel of the first row.
+    const transform = { scale: [0.5, 1], rotation: Math.PI / 2, offset: [0.125, 0.375] };
+    const baseColorTexture = { index: 0, extensions: { KHR_texture_transform: transform } };
+    const material = {
+      extensions: { KHR_materials_unlit: {} },
+      pbrMetallicRoughness: { baseColorTexture },
+    };
+    const mesh = `<phong-mesh src="${patch({ material, textures: [texels] })}"></phong-mesh>`;
+    expect((await draw(front(mesh))).middle).toEqual([20, 20, 20, 255]);
+  });
+
   it.each(['glb', 'ply', 'stl', 'obj'])('reads models in the format %s', async (format) => {
     const name = {
       glb: 'no-normals.glb',
