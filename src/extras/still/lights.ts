@@ -2,22 +2,18 @@
 // not depend on the point is prepared once, and nothing is allocated. All places are relative to
 // the eye, so that scenes far from the origin lose no digits.
 import { LEAST_EXPONENT, NEAREST } from '../../phong/light/precision.js';
-import { cosDegrees, radians } from '../../phong/math/angle.js';
+import { cosDegrees, radians, sinDegrees } from '../../phong/math/angle.js';
 import { srgbDecode } from '../../phong/math/color.js';
 import { atan2 } from '../../phong/math/elementary.js';
 import { map, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { EDGE, power } from '../../phong/reference/equation.js';
 import type { LightValues } from '../../phong/reference/index.js';
 import type { CastCamera } from './cast-scene.js';
+import { type Cone, LightCells } from './light-cells.js';
 import { turned } from './placed.js';
 
-interface Prepared {
-  readonly positional: boolean;
-  /** The place, or the unit vector to the light; zero if it has none. */
-  readonly place: Vec3;
-  /** Unit, or zero: neither cone nor decay. */
-  readonly axis: Vec3;
-  readonly cosine: number;
+/** `place` is the unit vector to a directional light; zero if it has none. */
+interface Prepared extends Cone {
   /** Radians; at 180° no direction is compared. */
   readonly aperture: number;
   readonly cutoff: number;
@@ -25,6 +21,8 @@ interface Prepared {
   readonly ambient: Vec3;
   readonly diffuse: Vec3;
   readonly specular: Vec3;
+  /** Its part in the pieces of the points that it reaches. */
+  readonly mark: number;
 }
 
 /** Cosines this far from the cone's decide without the angle. Their own error is below 1e-15. */
@@ -37,16 +35,26 @@ export class LightSums {
   readonly last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
   /** Equal where the same lights' cones and horizons hold the point. */
   piece = 0;
-  readonly #lights: readonly Prepared[];
+  /** Of all lights. */
+  readonly count: number;
+  readonly #cells: LightCells<Prepared>;
 
-  constructor(lights: readonly Readonly<LightValues>[], camera: CastCamera, linear: boolean) {
-    this.#lights = lights
+  /** `reach`: no coordinate of a point is larger; 0 if none is known. */
+  constructor(
+    lights: readonly Readonly<LightValues>[],
+    camera: CastCamera,
+    linear: boolean,
+    reach = 0,
+  ) {
+    let mark = 1;
+    const all = lights
       .filter(({ active }) => active)
-      .map((light) => prepared(light, camera, linear));
-  }
-
-  get count(): number {
-    return this.#lights.length;
+      .map((light) => {
+        mark = Math.imul(mark, 0x9e3779b1);
+        return prepared(light, camera, linear, mark);
+      });
+    this.count = all.length;
+    this.#cells = new LightCells(all, reach);
   }
 
   /** Sums at a point with unit vectors N (or zero) and V. `n`: the exponent. */
@@ -54,7 +62,7 @@ export class LightSums {
     const { sums, last } = this;
     sums.fill(0);
     let piece = 0;
-    for (const light of this.#lights) {
+    for (const light of this.#cells.at(p)) {
       const { place, axis, cutoff, ambient, diffuse, specular } = light;
       let lx = place[0];
       let ly = place[1];
@@ -80,6 +88,8 @@ export class LightSums {
       let inside = true;
       if ((ax !== 0 || ay !== 0 || az !== 0) && (lx !== 0 || ly !== 0 || lz !== 0)) {
         inside = isInside(light, lx, ly, lz);
+        // The one light of a view shows its decay outside of its cone, too.
+        if (!inside && this.count > 1) continue;
         // By chords: behind the spot (1 + c) / 2 would lose all digits.
         if (cutoff >= LEAST_EXPONENT) {
           decay = power(
@@ -90,7 +100,9 @@ export class LightSums {
         }
       }
       const NoL = N[0] * lx + N[1] * ly + N[2] * lz;
-      piece = Math.imul(piece, 0x9e3779b1) + Number(inside) + 2 * Number(NoL > 0);
+      if (inside) {
+        piece += NoL > 0 ? 2 * light.mark : light.mark;
+      }
       // R and V, or H and N.
       let rx = 2 * NoL * N[0] - lx;
       let ry = 2 * NoL * N[1] - ly;
@@ -127,7 +139,7 @@ export class LightSums {
       sums[7]! += specular[1] * s;
       sums[8]! += specular[2] * s;
     }
-    this.piece = piece;
+    this.piece = piece | 0;
   }
 }
 
@@ -148,6 +160,7 @@ function prepared(
   light: Readonly<LightValues>,
   { eye, right, up, back }: CastCamera,
   linear: boolean,
+  mark: number,
 ): Prepared {
   const [x, y, z, w] = light.position;
   const positional = w === 1;
@@ -162,11 +175,13 @@ function prepared(
     place: !positional ? normalize(given) : ofCamera ? given : subtract(given, eye),
     axis: isSpot ? normalize(ofCamera ? turned(axes, light.axis) : light.axis) : [0, 0, 0],
     cosine: cosDegrees(light.aperture),
+    sine: sinDegrees(light.aperture),
     aperture: radians(light.aperture),
     cutoff: light.cutoff,
     attenuation: light.attenuation,
     ambient: color(light.ambient),
     diffuse: color(light.diffuse),
     specular: color(light.specular),
+    mark,
   };
 }

@@ -1,6 +1,6 @@
 // By pixel: the things that its rays may meet, so that most need not be asked. The nearest come
 // first, so that a ray ends its search where all others are farther than what it has met.
-import { length, type Vec3 } from '../../phong/math/vector.js';
+import { length, map, type Vec3 } from '../../phong/math/vector.js';
 import type { Screen } from './screen.js';
 
 /** Pixels by which boxes are larger than they are, for the rounding of their corners. */
@@ -29,6 +29,8 @@ export class PixelLists {
   /** No ray meets a thing nearer than this depth. */
   readonly nears: Float64Array;
   count = 0;
+  /** The largest coordinate of a corner. */
+  reach = 0;
   readonly #screen: Screen;
   /** Left, right, top and bottom pixel of each thing. */
   readonly #boxes: Int32Array;
@@ -51,6 +53,7 @@ export class PixelLists {
     let [near, far, unsure] = [Infinity, -Infinity, false];
     for (const corner of corners) {
       const { x, y, depth } = this.#screen.project(corner);
+      this.reach = Math.max(this.reach, ...map(corner, Math.abs));
       near = Math.min(near, depth);
       far = Math.max(far, depth);
       unsure ||= depth <= LEAST_DEPTH * length(corner);

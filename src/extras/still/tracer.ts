@@ -78,7 +78,6 @@ export class Tracer {
     const { objects, camera, lights, linear = false } = scene;
     this.#scene = scene;
     this.screen = new Screen(camera, width, height);
-    this.#lights = new LightSums(lights, camera, linear);
     const { eye, back } = camera;
     const depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
     const order = depths.map((_, i) => i).sort((i, j) => depths[j]! - depths[i]! || i - j);
@@ -91,6 +90,7 @@ export class Tracer {
     this.#surfaces = objects.map((object) => new ObjectSurface(object, eye, scene));
     this.#surfaces.forEach((surface, i) => this.#list(surface, i));
     this.#lists.sort();
+    this.#lights = new LightSums(lights, camera, linear, this.#lists.reach);
     this.#accepts = objects.map((object, i) => this.#acceptorOf(object, i));
   }
 

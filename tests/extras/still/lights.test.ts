@@ -1,9 +1,10 @@
 // The ray caster's sums over the lights are the reference's, at random points under random lights.
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
+import { LightCells } from '../../../src/extras/still/light-cells.js';
 import { LightSums } from '../../../src/extras/still/lights.js';
 import { basisOf } from '../../../src/phong/camera/orbit.js';
-import { add, map, normalize, type Vec3 } from '../../../src/phong/math/vector.js';
+import { add, dot, map, normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { shade } from '../../../src/phong/reference/index.js';
 import { plainLight } from '../../unit/arbitraries.js';
 
@@ -30,6 +31,32 @@ const anyLight = fc
   )
   .map(([plain, own]) => ({ ...plain, ...own }));
 
+it('sums a few of 10,000 spots at a point, and leaves out none that reaches it', () => {
+  const cosine = Math.cos(0.02);
+  const lights = Array.from({ length: 10_000 }, (_, i) => ({
+    positional: i % 2500 !== 0,
+    place: [(i % 100) / 25 - 2, 1, Math.floor(i / 100) / 25 - 2] as const,
+    axis: normalize([Math.sin(i), -9, Math.cos(i)]),
+    cosine,
+    sine: Math.sin(0.02),
+  }));
+  const cells = new LightCells(lights, 4);
+  let summed = 0;
+  for (let i = 0; i < 20_000; i++) {
+    const p: Vec3 = [2 * Math.sin(i * i), Math.sin(i) / 9 - 1, 2 * Math.cos(3 * i)];
+    const found = cells.at(p);
+    if (i < 19_000) continue;
+    summed += found.length;
+    const needed = lights.filter(
+      ({ positional, place, axis }) =>
+        !positional || dot(normalize(subtract(p, place)), axis) >= cosine,
+    );
+    expect(found).toEqual(lights.filter((light) => found.includes(light)));
+    expect(needed.filter((light) => !found.includes(light))).toEqual([]);
+  }
+  expect(summed / 1000).toBeLessThan(60);
+});
+
 it('has the light sums of the reference', () => {
   const white = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255] } as const;
   const scene = fc.record({
@@ -46,7 +73,7 @@ it('has the light sums of the reference', () => {
       const camera = { eye, ...basisOf({ theta: 20, phi: 50 }), fov: 45 };
       const N = normalize(n);
       const V = normalize(map(p, (x) => -x));
-      const sums = new LightSums(lights, camera, linear);
+      const sums = new LightSums(lights, camera, linear, 3);
       sums.at(p, N, V, shininess, isBlinn);
       const surface = { ...white, shininess };
       const options = { camera, linear, reflection: isBlinn ? 'blinn-phong' : 'phong' } as const;
