@@ -5,9 +5,8 @@
 // side, the same lights' cones and horizons), Simpson's rule agrees with a rule of lower order to a
 // quarter of a code, and nothing bends much, its mean is right to some hundredths. A curve that
 // enters between two of the points, half a pixel apart, and leaves again cuts off 0.01 / r of the
-// pixel, r being its radius in pixels. Not where highlights may be that narrow, and not where another
-// object's triangle enters: rods and dots may be thinner. Parts of one model that are thinner than
-// half a pixel may be missed before the same model.
+// pixel, r being its radius in pixels. Not where highlights may be that narrow, and not where a
+// triangle enters that lies apart from what the points meet: rods, dots and wires may be thinner.
 //
 // All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places
 // where the screen takes that many: its picture differs by rounding where it draws the same
@@ -59,9 +58,9 @@ export function castRows(
         middle.isAll(piece, column) &&
         top.isAll(piece, column) &&
         bottom.isAll(piece, column) &&
-        (piece === NOTHING || !tracer.isCrossed(column, row));
-      const mayHide = piece === NOTHING || tracer.isNarrow;
-      if (!isSmooth || mayHide || !bySimpson(top, middle, bottom, column)) {
+        !tracer.isCrossed(column, row);
+      if (isSmooth && piece === NOTHING) continue;
+      if (!isSmooth || tracer.isNarrow || !bySimpson(top, middle, bottom, column)) {
         castPixel(tracer, column, row, samples, isSmooth, piece);
       }
       means.set(mean, 4 * ((row - from) * width + column));
@@ -137,7 +136,7 @@ function castPixel(
   piece: number,
 ): void {
   for (const count of COUNTS) {
-    if (count < CAREFUL && (!isSmooth || piece === NOTHING) && count < most) continue;
+    if (count < CAREFUL && !isSmooth && count < most) continue;
     const taken = Math.min(count, most);
     isSmooth = meanOf(tracer, column, row, taken, piece) && isSmooth;
     const range = Math.max(...high.map((most, k) => most - low[k]!));

@@ -1,16 +1,7 @@
 // What a ray from the eye sees of a scene: the nearest surfaces, and their colour by the equation.
 import { srgbEncode } from '../../phong/math/color.js';
-import {
-  add,
-  clamp,
-  cross,
-  dot,
-  map,
-  scale,
-  subtract,
-  type Vec3,
-} from '../../phong/math/vector.js';
-import type { CastObject, CastScene } from './cast-scene.js';
+import { clamp, cross, dot, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import type { CastScene } from './cast-scene.js';
 import { Hit } from './hit.js';
 import { LightSums } from './lights.js';
 import { PixelLists } from './pixel-lists.js';
@@ -52,8 +43,8 @@ export class Tracer {
   readonly #scene: CastScene;
   readonly #lights: LightSums;
   readonly #surfaces: readonly ObjectSurface[];
-  /** By object: whether a hit counts; undefined where every one does. */
-  readonly #accepts: readonly (((hit: Hit) => boolean) | undefined)[];
+  /** By object: its back faces are not drawn. */
+  readonly #culls: readonly boolean[];
   readonly #lists: PixelLists;
   /** By thing: its object, and which triangle of it; -1 for a true shape. */
   readonly #objects: Int32Array;
@@ -91,7 +82,9 @@ export class Tracer {
     this.#surfaces.forEach((surface, i) => this.#list(surface, i));
     this.#lists.sort();
     this.#lights = new LightSums(lights, camera, linear, this.#lists.reach);
-    this.#accepts = objects.map((object, i) => this.#acceptorOf(object, i));
+    this.#culls = objects.map(
+      ({ material, matrix }) => material.single === true && !isFlattened(columnsOf(matrix)),
+    );
   }
 
   #list({ placed, object: { shape } }: ObjectSurface, object: number): void {
@@ -111,20 +104,16 @@ export class Tracer {
     }
   }
 
-  /** Undefined where every hit counts. */
-  #acceptorOf({ material, matrix }: CastObject, i: number): ((hit: Hit) => boolean) | undefined {
-    const { alphaMode = 'opaque', alphaCutoff = 0.5, single = false } = material;
-    const culls = single && !isFlattened(columnsOf(matrix));
-    if (!culls && alphaMode === 'opaque') return undefined;
-    return (hit) => {
-      if (culls && !hit.front) return false;
-      if (alphaMode === 'blend') {
-        this.#layers.push(Object.assign(new Hit(), hit));
-      }
-      return alphaMode === 'mask'
-        ? this.#surfaces[i]!.opacityAt(hit) >= alphaCutoff
-        : alphaMode === 'opaque';
-    };
+  /** Whether a hit counts. A blended one is a layer instead. */
+  #accepts(hit: Hit): boolean {
+    const { object } = hit;
+    const { alphaMode = 'opaque', alphaCutoff = 0.5 } = this.#scene.objects[object]!.material;
+    if (this.#culls[object]! && !hit.front) return false;
+    if (alphaMode === 'mask') return this.#surfaces[object]!.opacityAt(hit) >= alphaCutoff;
+    if (alphaMode === 'blend') {
+      this.#layers.push(Object.assign(new Hit(), hit));
+    }
+    return alphaMode === 'opaque';
   }
 
   /** False: no ray through this pixel meets anything. */
@@ -142,29 +131,67 @@ export class Tracer {
     );
   }
 
-  /**
-   * Whether a triangle of another object may show in a pixel, before what the ray through its middle
-   * meets. Only of objects whose every hit counts.
-   */
+  /** Whether a pixel may show a surface that its points miss, if all of them meet one piece. */
   isCrossed(column: number, row: number): boolean {
-    const { object, t } = this.#trace(column + 0.5, row + 0.5);
+    const { t } = this.#trace(column + 0.5, row + 0.5);
+    const { starts, things, nears } = this.#lists;
+    const pixel = row * this.screen.width + column;
+    for (let i = starts[pixel]!; i < starts[pixel + 1]!; i++) {
+      const thing = things[i]!;
+      if (nears[thing]! > t) break;
+      if ((t === Infinity || this.#isApart(thing)) && this.#reaches(thing, column, row))
+        return true;
+    }
+    return false;
+  }
+
+  /**
+   * Whether a triangle lies before what the last ray has met, and is of another object, or apart from
+   * it, or turned. Rods, dots and wires may be thinner than the points are apart.
+   */
+  #isApart(thing: number): boolean {
+    const { thing: met, object: own, t } = this.#hit;
+    const { slopeY, height } = this.screen;
+    const object = this.#objects[thing]!;
+    const normal = this.#normalOf(thing);
+    const facing = dot(normal, this.#d);
+    const nearer = (t * facing) / this.#volumes[STRIDE * thing + 9]!;
+    if (!(nearer > ROUNDED)) return false; // NaN of a true shape
+    const { alphaMode = 'opaque' } = this.#scene.objects[object]!.material;
+    const { mirrored } = this.#surfaces[object]!.placed as PlacedTriangles;
+    if (alphaMode !== 'opaque' || (this.#culls[object]! && facing < 0 === mirrored)) return false;
+    if (object !== own || nearer > 1 + (2 * APART * slopeY) / height) return true;
+    const other = this.#normalOf(met);
+    const along = dot(normal, other);
+    return (
+      along * facing * dot(other, this.#d) < 0 ||
+      along * along < PARALLEL * dot(normal, normal) * dot(other, other)
+    );
+  }
+
+  /** Whether a triangle may reach into a pixel. A true shape may always. */
+  #reaches(thing: number, column: number, row: number): boolean {
+    const at = STRIDE * thing;
+    const volume = this.#volumes[at + 9]!;
     const corners = [0, 1, 2, 3].map((k) =>
       this.screen.direction(column + (k & 1), row + (k >> 1)),
     );
-    const { starts, things } = this.#lists;
-    const pixel = row * this.screen.width + column;
-    return things.subarray(starts[pixel], starts[pixel + 1]).some((thing) => {
-      const other = this.#objects[thing]!;
-      if (other === object || this.#accepts[other] !== undefined) return false;
-      const at = STRIDE * thing;
-      const edges = [0, 3, 6].map((k) => vectorAt(this.#volumes, at + k));
-      const volume = this.#volumes[at + 9]!; // 0 of a true shape: it reaches nothing
-      // Inside each edge at a corner, as they are linear, and its plane nearer in the middle.
-      return (
-        edges.every((edge) => corners.some((corner) => volume * dot(edge, corner) > 0)) &&
-        dot(edges.reduce(add), this.#d) / volume > ROUNDED / t
-      );
-    });
+    // Inside each edge at a corner, as they are linear.
+    return (
+      volume === 0 ||
+      [0, 3, 6].every((k) => {
+        const edge = vectorAt(this.#volumes, at + k);
+        return corners.some((corner) => volume * dot(edge, corner) > 0);
+      })
+    );
+  }
+
+  /** A triangle's normal, as long as twice its area. */
+  #normalOf(thing: number): Vec3 {
+    const first = STRIDE * thing;
+    const sum = (at: number): number =>
+      this.#volumes[at]! + this.#volumes[at + 3]! + this.#volumes[at + 6]!;
+    return [sum(first), sum(first + 1), sum(first + 2)];
   }
 
   /**
@@ -220,7 +247,7 @@ export class Tracer {
         next.b = b / sum;
         next.c = c / sum;
       }
-      if (!(next.t <= most) || this.#accepts[next.object]?.(next) === false) continue;
+      if (!(next.t <= most) || !this.#accepts(next)) continue;
       // Where two coincide, the last one shows.
       if (thing < hit.thing && next.t * ROUNDED >= hit.t) continue;
       most = next.t * ROUNDED;
@@ -342,6 +369,12 @@ export class Tracer {
 
 /** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
 const STRIDE = 10;
+
+/** Pixels by which a surface is apart from another of the same object. */
+const APART = 2;
+
+/** Squared cosine of 10°: between normals of one surface that bends. */
+const PARALLEL = 0.97;
 
 /** Surfaces in one plane are met at depths that differ by rounding: less than this. */
 const ROUNDED = 1 + 1e-12;

@@ -66,6 +66,34 @@ describe('a still', () => {
     expect((dark * pixel ** 2) / area).toBeCloseTo(1, 0.7);
   });
 
+  it('shows a strip thinner than a pixel before a wall of the same model, by its area', async () => {
+    const rows = [
+      ...['-9 -9 0 0 0 0', '9 -9 0 0 0 0', '9 9 0 0 0 0', '-9 9 0 0 0 0'],
+      ...['0.01 -0.5 1 255 255 255', '0.02 -0.5 1 255 255 255'],
+      ...['0.02 0.5 1 255 255 255', '0.01 0.5 1 255 255 255'],
+      ...['4 0 1 2 3', '4 4 5 6 7'],
+    ];
+    const ply = `ply
+format ascii 1.0
+element vertex 8
+property float x
+property float y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face 2
+property list uchar int vertex_indices
+end_header
+${rows.join('\n')}
+`;
+    const src = `data:,${encodeURIComponent(ply)}`;
+    const { pixels } = await draw(front(`<phong-mesh src="${src}" kd="255"></phong-mesh>`, ''));
+    const bright = pixels.reduce((sum, code, i) => sum + (i % 4 === 0 ? code / 255 : 0), 0);
+    const pixel = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
+    expect((bright * pixel ** 2) / 0.01).toBeCloseTo(1, 0.7);
+  });
+
   it('interpolates the corners’ sums under Gouraud shading', async () => {
     const lamp = '<phong-light position="0.5 0.5 1" specular="0"></phong-light>';
     const { middle } = await draw(front(WALL, 'fov="1" shading="gouraud"', lamp));
