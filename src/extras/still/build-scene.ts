@@ -176,10 +176,7 @@ interface Seen {
 
 const ZERO: Vec3 = [0, 0, 0];
 
-/**
- * A true shape that is thinner may hide between the points of a pixel, where triangles do not. Its
- * tube is 0.3 of a torus.
- */
+/** A true shape that is thinner may hide between the points of a pixel, where triangles do not. */
 const LEAST_PIXELS = 4;
 
 /** Without an inverse, or so thin at its middle's distance. */
@@ -190,7 +187,7 @@ function isThin(columns: Vec3Matrix, { view: { frame }, pixels }: Seen): boolean
 }
 
 const isTrue = (name: GeometryName): name is TrueShape['kind'] =>
-  ['sphere', 'cylinder', 'cone', 'torus'].includes(name);
+  ['sphere', 'cylinder', 'cone'].includes(name);
 
 /** The one term that a view shows; null for all, or another quantity. */
 function termOf(view: View): Term | null {

@@ -77,11 +77,10 @@ export interface TrianglesShape {
 
 /**
  * The true shapes of `geometry`, in their own space. `sphere`: radius 1/2. `cylinder` and `cone`:
- * radius 1/2, y from −1/2 to 1/2, with their flat ends. `torus`: a tube of radius 0.15 around a
- * circle of radius 0.35 in the plane of x and y.
+ * radius 1/2, y from −1/2 to 1/2, with their flat ends.
  */
 export interface TrueShape {
-  readonly kind: 'sphere' | 'cylinder' | 'cone' | 'torus';
+  readonly kind: 'sphere' | 'cylinder' | 'cone';
 }
 
 export type CastShape = TrianglesShape | TrueShape;

@@ -66,7 +66,7 @@ export class LightCells<L extends Cone> {
         const { lights } = cell;
         if (this.#left < 0 || this.#made > MOST) break;
         const near = lights.filter((light) => reaches(light, [x, y, z], half * CORNER));
-        this.#left -= near.length;
+        this.#left -= Math.max(0, 2 * near.length - lights.length);
         this.#made += lights.length;
         cell.eighths[eighth] = {
           lights: near.length < lights.length ? near : lights,

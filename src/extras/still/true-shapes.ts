@@ -1,17 +1,13 @@
-// Rays against the true round shapes, in closed form and in the shapes' own space.
+// Rays against the round shapes of the second degree, in closed form and in the shapes' own space.
 import { add, dot, scale, type Vec3 } from '../../phong/math/vector.js';
 import type { Hit, Intersect } from './hit.js';
-import { rootsIn } from './polynomial.js';
 import type { TrueShape } from './cast-scene.js';
 
 const RADIUS = 0.5;
 const HALF_HEIGHT = 0.5;
-/** Radii of the torus: of the circle in its tube's middle, and of the tube. */
-const RING = 0.35;
-const TUBE = 0.15;
 
 export const trueShape = (kind: TrueShape['kind']): Intersect =>
-  ({ sphere, cylinder: tapered(RADIUS), cone: tapered(0), torus })[kind];
+  ({ sphere, cylinder: tapered(RADIUS), cone: tapered(0) })[kind];
 
 /** The place at `t` on a ray. */
 const at = (o: Vec3, d: Vec3, t: number): Vec3 => add(o, scale(d, t));
@@ -73,38 +69,3 @@ const tapered =
     }
     return met;
   };
-
-const roots = new Float64Array(4);
-
-/** (|p|² + R² − r²)² = 4 R² (x² + y²). */
-const torus: Intersect = (o, d, hit) => {
-  const outer = RING + TUBE;
-  // From the ray's point nearest to the centre, in units of its direction made unit: coefficients
-  // stay near 1.
-  const middle = -dot(o, d) / dot(d, d);
-  const m = at(o, d, middle);
-  const [mx, my, mz] = m;
-  const squared = dot(m, m);
-  if (squared > outer * outer) return false;
-  const length = Math.sqrt(dot(d, d));
-  const u = scale(d, 1 / length);
-  const [ux, uy, uz] = u;
-  const reach = Math.sqrt(outer * outer - squared);
-  const least = Math.min(Math.abs(mz - reach * uz), Math.abs(mz + reach * uz));
-  if (least > TUBE && mz * mz > reach * reach * uz * uz) return false;
-  const k = squared + RING * RING - TUBE * TUBE;
-  const four = 4 * RING * RING;
-  const c = [
-    k * k - four * (mx * mx + my * my),
-    -2 * four * (mx * ux + my * uy),
-    2 * k - four * (ux * ux + uy * uy),
-    0,
-    1,
-  ];
-  const count = rootsIn(c, -reach - TUBE, reach + TUBE, roots);
-  return roots.subarray(0, count).some((s) => {
-    const [x, y, z] = at(m, u, s);
-    const shrink = 1 - RING / Math.sqrt(x * x + y * y);
-    return offer(hit, middle + s / length, d, [x * shrink, y * shrink, z]);
-  });
-};

@@ -13,7 +13,7 @@ import { sceneOnPage } from '../../support/drawn-scene.js';
 import type {
   CastScene,
   CastTexture,
-  TrueShape,
+  CastShape,
   Wrap,
 } from '../../../src/extras/still/cast-scene.js';
 import type { Viewer } from './element-side.js';
@@ -22,7 +22,7 @@ import { pictureOf, type ShownMaterial } from './equation-material.js';
 type ShownMesh = Mesh<BufferGeometry, Material & ShownMaterial>;
 
 /** `round`: the shape that the viewer's one mesh stands for, in place of its triangles. */
-export function castSceneOf(viewer: Viewer, round: TrueShape | null): CastScene {
+export function castSceneOf(viewer: Viewer, round: CastShape | null): CastScene {
   const meshes = shownMeshes(viewer);
   const { objects, ...scene } = sceneOnPage(viewer);
   return {

@@ -1,7 +1,9 @@
 // A whole picture by the element: the plain one, with averaged highlights, or the mean of many
 // samples.
 import { onlyContext, runFrame } from './page-hooks.js';
+import { createGeometry } from '../../../src/phong/model/shapes/shapes.js';
 import type { TrueShape } from '../../../src/extras/still/cast-scene.js';
+import { trianglesOf } from '../../visual/ray-cast.js';
 import { castSceneOf } from './cast-scene.js';
 import { drawUntilReady, type Viewer } from './element-side.js';
 import type { OpenPicture } from './picture.js';
@@ -102,12 +104,14 @@ export const openElement =
       }
     }
 
+    const torus = trianglesOf(await createGeometry('torus', 512));
     return {
       methods: { element: { steps: 1 } },
       scenes: (round) =>
-        viewers.map((viewer) =>
-          castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),
-        ),
+        viewers.map((viewer) => {
+          const kind = viewer.geometry as TrueShape['kind'] | 'torus';
+          return castSceneOf(viewer, !round ? null : kind === 'torus' ? torus : { kind });
+        }),
       async time() {
         finish(gl);
         const start = performance.now();

@@ -4,67 +4,52 @@ import { expect, it } from 'vitest';
 import { LightCells } from '../../../src/extras/still/light-cells.js';
 import { LightSums } from '../../../src/extras/still/lights.js';
 import { basisOf } from '../../../src/phong/camera/orbit.js';
-import { add, dot, map, normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+import { add, map, normalize, type Vec3 } from '../../../src/phong/math/vector.js';
 import { shade } from '../../../src/phong/reference/index.js';
-import { plainLight } from '../../unit/arbitraries.js';
+import { plainLight, plainVector } from '../../unit/arbitraries.js';
 
-const number = (min: number, max: number): fc.Arbitrary<number> =>
-  fc.double({ min, max, noNaN: true });
-/** Thousandths: points that are 1e-300 apart have no common direction in both spaces. */
-const length = fc.integer({ min: -3000, max: 3000 }).map((n) => n / 1000);
-const vector = fc.tuple(length, length, length);
-/** What is not drawn here is as authors write it. */
+const zero = fc.constant<Vec3>([0, 0, 0]);
+const anyVector = fc.oneof({ weight: 9, arbitrary: plainVector }, zero);
 const anyLight = fc
   .tuple(
     plainLight,
     fc.record({
-      position: fc.tuple(length, length, length, fc.constantFrom(0, 1)),
-      axis: fc.oneof(vector, fc.constant([0, 0, 0] as const)),
-      aperture: fc.oneof(number(0, 180), fc.constantFrom(0, 90, 180)),
-      cutoff: fc.oneof(number(0, 64), fc.constantFrom(0, 1e-7, 1e4)),
-      attenuation: fc.tuple(number(0, 2), number(0, 1), number(0, 1)),
-      ambient: fc.tuple(number(0, 99), number(0, 99), number(0, 99)),
-      diffuse: fc.tuple(number(0, 999), number(0, 255), number(0, 255)),
-      space: fc.constantFrom('world' as const, 'camera' as const),
-      active: fc.boolean(),
+      axis: anyVector,
+      aperture: fc.constantFrom(0, 5, 60, 90, 179, 180),
+      cutoff: fc.constantFrom(0, 1e-7, 1, 40, 1e4),
     }),
   )
   .map(([plain, own]) => ({ ...plain, ...own }));
 
-it('sums a few of 10,000 spots at a point, and leaves out none that reaches it', () => {
-  const cosine = Math.cos(0.02);
+it('sums few of 10,000 spots at a point, and all that reach it', () => {
   const lights = Array.from({ length: 10_000 }, (_, i) => ({
-    positional: i % 2500 !== 0,
+    positional: true,
     place: [(i % 100) / 25 - 2, 1, Math.floor(i / 100) / 25 - 2] as const,
-    axis: normalize([Math.sin(i), -9, Math.cos(i)]),
-    cosine,
+    axis: [0, -1, 0] as const,
+    cosine: Math.cos(0.02),
     sine: Math.sin(0.02),
   }));
   const cells = new LightCells(lights, 4);
-  let summed = 0;
   for (let i = 0; i < 20_000; i++) {
-    const p: Vec3 = [2 * Math.sin(i * i), Math.sin(i) / 9 - 1, 2 * Math.cos(3 * i)];
-    const found = cells.at(p);
-    if (i < 19_000) continue;
-    summed += found.length;
-    const needed = lights.filter(
-      ({ positional, place, axis }) =>
-        !positional || dot(normalize(subtract(p, place)), axis) >= cosine,
+    const [x, z] = [2 * Math.sin(i * i), 2 * Math.cos(3 * i)];
+    const found = cells.at([x, -1, z]);
+    if (i < 19_900) continue;
+    const reaching = lights.filter(
+      ({ place }) => Math.hypot(place[0] - x, place[2] - z) < 2 * Math.tan(0.02),
     );
-    expect(found).toEqual(lights.filter((light) => found.includes(light)));
-    expect(needed.filter((light) => !found.includes(light))).toEqual([]);
+    expect(found).toEqual(expect.arrayContaining(reaching));
+    expect(found.length).toBeLessThan(100);
   }
-  expect(summed / 1000).toBeLessThan(60);
 });
 
 it('has the light sums of the reference', () => {
   const white = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255] } as const;
   const scene = fc.record({
     lights: fc.array(anyLight, { maxLength: 4 }),
-    p: vector.filter((v) => v.some((x) => x !== 0)),
-    n: vector,
-    eye: vector,
-    shininess: fc.oneof(number(0, 200), fc.constantFrom(0, 1e5)),
+    p: plainVector,
+    n: anyVector,
+    eye: anyVector,
+    shininess: fc.constantFrom(0, 0.3, 1, 32, 200, 1e5),
     isBlinn: fc.boolean(),
     linear: fc.boolean(),
   });
@@ -73,7 +58,7 @@ it('has the light sums of the reference', () => {
       const camera = { eye, ...basisOf({ theta: 20, phi: 50 }), fov: 45 };
       const N = normalize(n);
       const V = normalize(map(p, (x) => -x));
-      const sums = new LightSums(lights, camera, linear, 3);
+      const sums = new LightSums(lights, camera, linear, 5);
       sums.at(p, N, V, shininess, isBlinn);
       const surface = { ...white, shininess };
       const options = { camera, linear, reflection: isBlinn ? 'blinn-phong' : 'phong' } as const;

@@ -24,6 +24,20 @@ const front = (mesh: string, viewer = 'fov="1"', light = SUN): string =>
   `<phong-viewer ${FRONT} ${viewer}>${light}${mesh}</phong-viewer>`;
 const WALL = '<phong-mesh geometry="plane" rotation="90 0 0"></phong-mesh>';
 
+/** A white wall, and before it a black strip. */
+const STRIP = `<phong-mesh kd="255" src="data:,${encodeURIComponent(`
+v -9 -9 0 1 1 1
+v 9 -9 0 1 1 1
+v 9 9 0 1 1 1
+v -9 9 0 1 1 1
+v 0.01 -0.5 1 0 0 0
+v 0.02 -0.5 1 0 0 0
+v 0.02 0.5 1 0 0 0
+v 0.01 0.5 1 0 0 0
+f 1 2 3 4
+f 5 6 7 8
+`)}"></phong-mesh>`;
+
 describe('a still', () => {
   it('is a PNG of its pixels', async () => {
     const { png, pixels } = await draw(front('<phong-mesh geometry="torus"></phong-mesh>', ''));
@@ -57,41 +71,14 @@ describe('a still', () => {
     ['box', 'scale="2 0.01 0.01" rotation="0 0 3"', 0.02],
     ['cylinder', 'scale="0.01 2 0.01" rotation="0 0 33"', 0.02],
     ['sphere', 'scale="0.02"', Math.PI / 1e4],
+    ['strip of the wall’s model', STRIP, 0.01],
   ])('shows a %s thinner than a pixel before a wall, by its area', async (name, size, area) => {
     const thin = `<phong-mesh geometry="${name}" ${size} kd="0" position="0.03 0.04 1"></phong-mesh>`;
     const wall = WALL.replace('>', ' scale="9" kd="255">');
-    const { pixels } = await draw(front(wall + thin, ''));
+    const { pixels } = await draw(front(size === STRIP ? STRIP : wall + thin, ''));
     const dark = pixels.reduce((sum, code, i) => sum + (i % 4 === 0 ? 1 - code / 255 : 0), 0);
     const pixel = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
     expect((dark * pixel ** 2) / area).toBeCloseTo(1, 0.7);
-  });
-
-  it('shows a strip thinner than a pixel before a wall of the same model, by its area', async () => {
-    const rows = [
-      ...['-9 -9 0 0 0 0', '9 -9 0 0 0 0', '9 9 0 0 0 0', '-9 9 0 0 0 0'],
-      ...['0.01 -0.5 1 255 255 255', '0.02 -0.5 1 255 255 255'],
-      ...['0.02 0.5 1 255 255 255', '0.01 0.5 1 255 255 255'],
-      ...['4 0 1 2 3', '4 4 5 6 7'],
-    ];
-    const ply = `ply
-format ascii 1.0
-element vertex 8
-property float x
-property float y
-property float z
-property uchar red
-property uchar green
-property uchar blue
-element face 2
-property list uchar int vertex_indices
-end_header
-${rows.join('\n')}
-`;
-    const src = `data:,${encodeURIComponent(ply)}`;
-    const { pixels } = await draw(front(`<phong-mesh src="${src}" kd="255"></phong-mesh>`, ''));
-    const bright = pixels.reduce((sum, code, i) => sum + (i % 4 === 0 ? code / 255 : 0), 0);
-    const pixel = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
-    expect((bright * pixel ** 2) / 0.01).toBeCloseTo(1, 0.7);
   });
 
   it('interpolates the corners’ sums under Gouraud shading', async () => {
@@ -157,12 +144,7 @@ ${rows.join('\n')}
   });
 
   it('reads the colour of a texel, and leaves out what a mask cuts away', async () => {
-    const texels = [
-      [200, 100, 50, 255],
-      [200, 100, 50, 255],
-      [200, 100, 50, 255],
-      [200, 100, 50, 255],
-    ] as const;
+    const texels = Array.from({ length: 4 }, () => [200, 100, 50, 255] as const);
     const material = {
       alphaMode: 'MASK',
       extensions: { KHR_materials_unlit: {} },
@@ -189,17 +171,14 @@ ${rows.join('\n')}
     expect((await draw(front(mesh))).middle).toEqual([20, 20, 20, 255]);
   });
 
-  it.each(['glb', 'ply', 'stl', 'obj'])('reads models in the format %s', async (format) => {
-    const name = {
-      glb: 'no-normals.glb',
-      ply: 'coloured.ply',
-      stl: 'coloured.stl',
-      obj: 'quads.obj',
-    };
-    const src = new URL(`../../fixtures/models/${name[format as 'glb']}`, import.meta.url).href;
-    const { pixels } = await draw(`<phong-viewer src="${src}"></phong-viewer>`);
-    expect(pixels.filter((value, i) => i % 4 === 3 && value === 255).length).toBeGreaterThan(50);
-  });
+  it.each(['no-normals.glb', 'coloured.ply', 'coloured.stl', 'quads.obj'])(
+    'reads %s',
+    async (file) => {
+      const src = new URL(`../../fixtures/models/${file}`, import.meta.url).href;
+      const { pixels } = await draw(`<phong-viewer src="${src}"></phong-viewer>`);
+      expect(pixels.filter((value, i) => i % 4 === 3 && value === 255).length).toBeGreaterThan(50);
+    },
+  );
 });
 
 describe('values in a still’s markup', () => {
@@ -261,10 +240,8 @@ describe('values in a still’s markup', () => {
       '"fixtures" is a folder, not a model.',
     ],
     ['<phong-viewer src="javascript:alert(1)"></phong-viewer>', 'begins with "javascript:".'],
-    ['<phong-viewer src="mailto:a@b.example"></phong-viewer>', 'begins with "mailto:".'],
     ['<phong-viewer src="blob:null/a"></phong-viewer>', 'This blob: address leads to no data'],
     ['<phong-viewer src="data:,"></phong-viewer>', 'The model is empty: the data: URI.'],
-    ['<phong-viewer src=" "></phong-viewer>', 'without options.base'],
     [`<phong-viewer src="${fixture('ktx2.glb')}"></phong-viewer>`, 'A still cannot read KTX2'],
     [
       `<phong-viewer src="${fixture('meshopt.glb')}"></phong-viewer>`,
