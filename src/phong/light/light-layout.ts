@@ -53,11 +53,6 @@ export const PACKED_VALUES = byKind((kind) =>
   }),
 );
 
-/** Those that depend on the space. */
-export const MOVED_VALUES = byKind((kind) =>
-  PACKED_VALUES[kind].filter(({ as }) => as === 'place' || as === 'axis'),
-);
-
 /** Where the value of this name begins, in floats from the light's first. */
 export const floatOf = (kind: LightKind, name: string): number =>
   PACKED_VALUES[kind].find((value) => value.name === name)!.at;

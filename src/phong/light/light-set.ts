@@ -7,9 +7,8 @@ import type { LightState, LightValues } from './light-state.js';
 export class LightSet {
   readonly #lights: LightState[] = [];
   readonly #values: Readonly<LightValues>[] = [];
-  readonly #listeners = new Map<LightState, (key: keyof LightValues) => void>();
+  readonly #listeners = new Map<LightState, () => void>();
   #version = 0;
-  #kindVersion = 0;
 
   /**
    * Given after each change, hundreds of times a frame: with the light that was written to, or null
@@ -27,11 +26,6 @@ export class LightSet {
   /** Increments with every change. Lights packed for an older version are out of date. */
   get version(): number {
     return this.#version;
-  }
-
-  /** Increments with every change except moves, which do not change the code that lights need. */
-  get kindVersion(): number {
-    return this.#kindVersion;
   }
 
   get lights(): readonly LightState[] {
@@ -79,21 +73,12 @@ export class LightSet {
   }
 
   #listen(light: LightState): void {
-    const { values } = light;
-    let w = values.position[3];
-    const listener = (key: keyof LightValues): void => {
-      const isMove = key === 'position' && values.position[3] === w;
-      w = values.position[3];
-      this.#bump(light, isMove);
-    };
+    const listener = (): void => this.#bump(light);
     light.listen(listener);
     this.#listeners.set(light, listener);
   }
 
-  #bump(light: LightState | null, isMove = false): void {
-    if (!isMove) {
-      this.#kindVersion += 1;
-    }
+  #bump(light: LightState | null): void {
     this.#version += 1;
     this.changed.emit(light);
   }

@@ -4,7 +4,7 @@
 import { isBlack, srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
 import { featuresOf, isSpot, kindOf } from './light-features.js';
-import { HEADER, MOVED_VALUES, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
+import { HEADER, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
 import { KINDS, type LightKind, type LightValues } from './light-state.js';
 import { coneLimit, LEAST_EXPONENT } from './precision.js';
 
@@ -36,11 +36,6 @@ export interface PackedLights {
   readonly counts: Record<LightKind, number>;
   /** The feature mask of each sent light; those from `sent` on are stale. */
   features: Uint32Array;
-  /**
-   * The sent lights in the order of their rows, where {@link moveLights} can follow them; else
-   * empty.
-   */
-  readonly sources: Values[];
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -50,14 +45,12 @@ export const emptyPack = (): PackedLights => ({
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
   features: new Uint32Array(8),
-  sources: [],
 });
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
   const ambient: [number, number, number] = [0, 0, 0];
   packNothing(into);
-  let follows = true;
   for (const light of lights) {
     if (light.active) {
       byKind[kindOf(light)].push(light);
@@ -67,11 +60,7 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
     const before = into.sent;
     for (const light of byKind[kind]) {
       into.active += 1;
-      const hasConstantCone = kind === 'directional' && isSpot(light);
-      if (hasConstantCone || hasNoDirection(light, kind)) {
-        follows = false;
-      }
-      const factor = hasConstantCone ? directionalDecay(light) : 1;
+      const factor = kind === 'directional' && isSpot(light) ? directionalDecay(light) : 1;
       if (factor === 0) continue;
       if (kind !== 'spot') {
         addAmbient(ambient, light.ambient, factor, space.linear);
@@ -83,9 +72,6 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
     into.counts[kind] = into.sent - before;
     byKind[kind].length = 0; // so that removed lights can be collected
   }
-  if (!follows) {
-    into.sources.length = 0;
-  }
   writeCounts(into);
   into.data.set(ambient, HEADER.ambient * 4);
 }
@@ -95,7 +81,6 @@ export function packNothing(into: PackedLights): void {
   into.rows = HEADER.rows;
   into.sent = 0;
   into.active = 0;
-  into.sources.length = 0;
   for (const kind of KINDS) {
     into.counts[kind] = 0;
   }
@@ -106,30 +91,6 @@ function writeCounts({ data, counts }: PackedLights): void {
   for (let i = 0; i < KINDS.length; i++) {
     data[HEADER.counts * 4 + i] = counts[KINDS[i]!];
   }
-}
-
-/**
- * Writes the places and axes of the lights that `into` was packed with again, where nothing else
- * about them has changed but the space's matrices. False where they need other rows: then call
- * {@link packLights}, which takes nine times as long for 32 lights (54 µs), and 50 times for 1,024
- * (3.5 ms).
- */
-export function moveLights(space: PackSpace, into: PackedLights): boolean {
-  const { data, sources, sent, counts } = into;
-  if (sent === 0 || sources.length !== sent) return false;
-  let row: number = HEADER.rows;
-  let light = 0;
-  for (const kind of KINDS) {
-    const { rows } = ROWS[kind];
-    for (const end = light + counts[kind]; light < end; light++, row += rows) {
-      const source = sources[light]!;
-      if (hasNoDirection(source, kind)) return false;
-      for (const value of MOVED_VALUES[kind]) {
-        writeValue(value, source, kind, 1, space, data, row * 4);
-      }
-    }
-  }
-  return true;
 }
 
 /** Reused from call to call; empty between them. */
@@ -164,7 +125,6 @@ function packLight(
     writeValue(value, light, kind, factor, space, data, at);
   }
   into.features[into.sent] = featuresOf(light, kind);
-  into.sources.push(light);
   into.rows += rows;
   into.sent += 1;
 }

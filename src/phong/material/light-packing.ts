@@ -1,7 +1,7 @@
 // Packs the lights of a picture when lights, origin or colour space have changed.
 import { Matrix4 } from 'three';
 import type { LightSet } from '../light/light-set.js';
-import { moveLights, packLights } from '../light/pack-lights.js';
+import { packLights } from '../light/pack-lights.js';
 import type { Vec3 } from '../math/vector.js';
 import { LightBuffer } from './light-buffer.js';
 import { type ShadingFrame, writeCamera } from './shading-space.js';
@@ -18,10 +18,9 @@ export class LightPacking {
    */
   view: PictureView | null = null;
   readonly #lights: LightSet;
-  /** Versions of the light set, and what else the lights were last packed for. */
+  /** The version of the light set, and what else the lights were last packed for. */
   readonly #packedFor = {
     lights: -1,
-    kinds: -1,
     origin: null as Vec3 | null,
     view: null as PictureView | null,
     linear: false,
@@ -43,29 +42,28 @@ export class LightPacking {
 
   /** A frame begins. `origin` is another array if it is another place. */
   update(frame: ShadingFrame, origin: Vec3): void {
-    const { values, version, kindVersion } = this.#lights;
+    const { values, version } = this.#lights;
     const { view, space } = this;
     const { linear } = space;
     const last = this.#packedFor;
-    const isOther = view !== last.view || linear !== last.linear || kindVersion !== last.kinds;
-    if (kindVersion !== last.kinds) {
+    const isStyled = view === last.view && linear === last.linear;
+    if (version !== last.lights) {
       this.#followsCamera = values.some(({ space }) => space === 'camera');
     }
     this.changed = false;
-    const isSame = !isOther && origin === last.origin && version === last.lights;
+    const isSame = isStyled && origin === last.origin && version === last.lights;
     if (isSame && !this.#followsCamera) return;
     last.lights = version;
-    last.kinds = kindVersion;
     last.origin = origin;
     last.view = view;
     last.linear = linear;
     const { packed, revision } = this.buffer;
     this.#worldToShading.makeTranslation(-origin[0], -origin[1], -origin[2]);
     writeCamera(this.#cameraToShading, frame, frame.eye);
-    if (view !== null) {
-      view.pack(values, space, packed);
-    } else if (isOther || !moveLights(space, packed)) {
+    if (view === null) {
       packLights(values, space, packed);
+    } else {
+      view.pack(values, space, packed);
     }
     this.buffer.changed();
     this.changed = this.buffer.revision !== revision;

@@ -230,12 +230,11 @@ export class Picture {
   }
 
   /**
-   * Whether programs of the next drawing are being compiled in the background. Lights that no
-   * uniform array holds any more are found out later.
+   * Call after {@link needsPrograms}. Whether programs of the next drawing are being compiled in the
+   * background. Lights that no uniform array holds any more are found out later.
    */
   compiles(renderer: WebGLRenderer): boolean {
     const { lighting, materials, frame } = this;
-    lighting.needs.declare();
     const { version } = lighting.needs;
     const compiling = [...materials.all].filter((one) => one.compiles(renderer, frame.camera));
     if (compiling.length === 0) {
@@ -244,9 +243,11 @@ export class Picture {
     return compiling.length > 0;
   }
 
-  /** {@link compiles} may be true. */
-  get needsPrograms(): boolean {
-    return this.#needs !== this.lighting.needs.version;
+  /** Declares what the lights need. True where {@link compiles} may be. */
+  needsPrograms(): boolean {
+    const { needs } = this.lighting;
+    needs.declare();
+    return this.#needs !== needs.version;
   }
 
   /** Draws {@link frame}, or the part of it that `part` is, which need not lie on whole pixels. */

@@ -264,7 +264,7 @@ export class Viewport {
   #compiles(): boolean {
     const { picture } = this;
     const before = this.#held;
-    if (this.#frames > 0 && picture.needsPrograms && before < MOST_HELD) {
+    if (this.#frames > 0 && picture.needsPrograms() && before < MOST_HELD) {
       stage.drawAside((renderer) => {
         this.#held += Number(picture.compiles(renderer));
       });

@@ -9,7 +9,6 @@ import { HEADER } from '../../../src/phong/light/light-layout.js';
 import { KINDS, type LightValues } from '../../../src/phong/light/light-state.js';
 import {
   emptyPack,
-  moveLights,
   type PackedLights,
   packLights,
   type PackSpace,
@@ -275,47 +274,6 @@ it('includes the same round numbers exactly at the edge as the equation', () => 
     }
   }
   expect(disagreeing).toEqual([]);
-});
-
-describe('lights that only move', () => {
-  const rows = ({ data, rows }: PackedLights): number[] => [...data.subarray(0, rows * 4)];
-
-  it('are written into the same rows, as packing them anew would', () => {
-    fc.assert(
-      fc.property(
-        fc.array(anyLight, { minLength: 1, maxLength: 6 }),
-        rotation,
-        (lights, [x, y, z]) => {
-          const packed = pack(lights);
-          const before = rows(packed);
-          const turned = [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1];
-          const elsewhere = { ...WORLD, worldToShading: turned };
-          const anew = emptyPack();
-          packLights(lights, elsewhere, anew);
-          const follows = moveLights(elsewhere, packed);
-          expect(rows(packed)).toStrictEqual(follows ? rows(anew) : before);
-        },
-      ),
-    );
-  });
-
-  it.each<[string, boolean, readonly Partial<LightValues>[]]>([
-    ['of every kind', true, [{}, lamp, spot, { ...spot, space: 'camera' }]],
-    ['with one that is off', true, [{}, { active: false }]],
-    ['where there are none', false, []],
-    ['that are all black', false, [BLACK]],
-    ['with a directional one that has a cone', false, [{}, { aperture: 90 }]],
-    ['with one without a direction', false, [{}, { position: [0, 0, 0, 0] }]],
-  ])('%s need no other rows: %s', (_, follows, some) => {
-    expect(moveLights(WORLD, pack(some.map((values) => light(values))))).toBe(follows);
-  });
-
-  it('need other rows once one has lost its direction', () => {
-    const sun = light({});
-    const packed = pack([sun]);
-    sun.position = [0, 0, 0, 0];
-    expect(moveLights(WORLD, packed)).toBe(false);
-  });
 });
 
 const place = triple(numbers(-1e15, 1e15));

@@ -7,10 +7,10 @@ import { type Device, deviceOf } from '../device.js';
 
 export class ProgramNeeds {
   readonly #lights: LightSet;
-  #restyles = 0;
+  #version = 0;
   #declared = 0;
-  /** The version of the lights' kinds that were declared. */
-  #kinds = -1;
+  /** The version of the lights that were declared. */
+  #lightVersion = -1;
   #device: Device | null = null;
   #capacity = 0;
 
@@ -20,12 +20,12 @@ export class ProgramNeeds {
 
   /** Goes up with what decides which general programs are needed. */
   get version(): number {
-    return this.#restyles + this.#lights.kindVersion;
+    return this.#version;
   }
 
   /** Other programs may be needed. */
   restyled(): void {
-    this.#restyles += 1;
+    this.#version += 1;
   }
 
   /** What all lights since load need: see {@link declaredFeatures}. Bits are only ever added. */
@@ -35,10 +35,13 @@ export class ProgramNeeds {
 
   /** Adds the features of all lights to {@link declared}. */
   declare(): void {
-    const { values, kindVersion } = this.#lights;
-    if (kindVersion === this.#kinds) return;
-    this.#kinds = kindVersion;
-    this.#declared |= declaredFeatures(values);
+    const { values, version } = this.#lights;
+    if (version === this.#lightVersion) return;
+    this.#lightVersion = version;
+    const declared = this.#declared | declaredFeatures(values);
+    if (declared === this.#declared) return;
+    this.#declared = declared;
+    this.#version += 1;
   }
 
   /** What {@link renderer} draws on. */
