@@ -16,13 +16,6 @@ export class LightSet {
    */
   readonly changed = new Signal<LightState | null>();
 
-  /** `changed` listens to it. */
-  constructor(changed?: (light: LightState | null) => void) {
-    if (changed !== undefined) {
-      this.changed.listen(changed);
-    }
-  }
-
   /** Increments with every change. Lights packed for an older version are out of date. */
   get version(): number {
     return this.#version;
