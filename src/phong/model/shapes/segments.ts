@@ -40,7 +40,6 @@ const LARGE = 8;
 
 /** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
 export function isLargeFor(view: Frustum, name: GeometryName, m: readonly number[]): boolean {
-  if (isFar(view, m)) return false;
   measureFrom(view, name, m);
   return measured.longest > LARGE * measured.distance;
 }
@@ -51,22 +50,6 @@ export function hasNoLarge({ frame: { origin, eye } }: Frustum, bounds: Extent['
   const { center, radius } = bounds;
   const distance = length(subtract(add(origin, eye), center)) - radius;
   return LARGE * distance > 2 * radius;
-}
-
-/**
- * Whether the eye is farther from the middle than twice the longest side, and so from the box than
- * a quarter of it. Most shapes of most frames are, which this finds in a third of the time.
- */
-function isFar({ frame: { origin, eye } }: Frustum, m: readonly number[]): boolean {
-  const x = origin[0] + eye[0] - m[12]!;
-  const y = origin[1] + eye[1] - m[13]!;
-  const z = origin[2] + eye[2] - m[14]!;
-  const far = (x * x + y * y + z * z) / 4;
-  return (
-    far > m[0]! * m[0]! + m[1]! * m[1]! + m[2]! * m[2]! &&
-    far > m[4]! * m[4]! + m[5]! * m[5]! + m[6]! * m[6]! &&
-    far > m[8]! * m[8]! + m[9]! * m[9]! + m[10]! * m[10]!
-  );
 }
 
 /**
