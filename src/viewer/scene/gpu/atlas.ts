@@ -19,20 +19,10 @@ export interface AtlasLimit {
 export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLayout {
   const total = sizes.reduce((sum, { width, height }) => sum + width * height, 0);
   const widest = sizes.reduce((most, { width }) => Math.max(most, width), 0);
-  const square = Math.max(
+  const rowWidth = Math.max(
     widest,
     Math.ceil(Math.sqrt(Math.min(total, limit.area, limit.side ** 2))),
   );
-  const narrow = layOutRows(sizes, square, limit);
-  // Rows that hold one more picture may leave no gap: 20 of 256 × 180 fill 4 × 5 places, but 3 × 7
-  // leave one empty.
-  const wide = layOutRows(sizes, Math.min(square + widest, limit.side), limit);
-  const gained = wide.places.length - narrow.places.length;
-  const smaller = wide.width * wide.height < narrow.width * narrow.height;
-  return gained > 0 || (gained === 0 && smaller) ? wide : narrow;
-}
-
-function layOutRows(sizes: readonly Size[], rowWidth: number, limit: AtlasLimit): AtlasLayout {
   const places: Region[] = [];
   let x = 0;
   let y = 0;
