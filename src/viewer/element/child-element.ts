@@ -15,9 +15,6 @@ export const Base =
  */
 export let register: (element: Element) => void;
 
-/** The binding of a light or mesh, found faster than by `bindingOf`. */
-export let childBinding: (element: HTMLElement) => FieldBinding<Record<string, unknown>>;
-
 export abstract class ChildElement<V extends object> extends Base {
   static {
     register = (element) => {
@@ -25,7 +22,6 @@ export abstract class ChildElement<V extends object> extends Base {
         element.#register();
       }
     };
-    childBinding = (element) => (element as ChildElement<Record<string, unknown>>).#binding;
   }
 
   readonly #binding: FieldBinding<V>;

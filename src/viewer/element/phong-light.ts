@@ -2,7 +2,7 @@
 // LightState.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../../phong/light/light-state.js';
 import type { ElementClass, PhongLight as PublicLight } from './elements.js';
-import { childBinding, ChildElement } from './child-element.js';
+import { ChildElement } from './child-element.js';
 import { registryAround } from './child-registry.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { LightProperties } from './fields/properties.js';
@@ -65,7 +65,7 @@ export const lightName = (
     ? phrase(texts, 'head-light')
     : state.values.name || numberedName(index, texts);
 
-defineProperties(LightElement.prototype, LIGHT_FIELDS, childBinding);
+defineProperties(LightElement.prototype, LIGHT_FIELDS);
 
 export type PhongLight = PublicLight;
 export const PhongLight: ElementClass<PhongLight> = LightElement;

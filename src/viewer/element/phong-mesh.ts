@@ -2,7 +2,7 @@
 // FieldStore.
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../../phong/model/mesh-fields.js';
-import { childBinding, ChildElement } from './child-element.js';
+import { ChildElement } from './child-element.js';
 import type {
   ElementClass,
   Listen,
@@ -39,7 +39,7 @@ function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
   }
 }
 
-defineProperties(MeshElement.prototype, MESH_FIELDS, childBinding);
+defineProperties(MeshElement.prototype, MESH_FIELDS);
 
 export type PhongMesh = PublicMesh;
 export const PhongMesh: ElementClass<PhongMesh> = MeshElement;

@@ -135,26 +135,18 @@ export class FieldBinding<V extends object> {
   }
 }
 
-/**
- * Gives a class one accessor per field. Accessors that the class has itself stay. `find` finds an
- * element's binding, by default as {@link bindingOf} does; lights are written to so often that a
- * private field is worth it, which takes a tenth of the time.
- */
-export function defineProperties(
-  prototype: HTMLElement,
-  fields: object,
-  find: (element: HTMLElement) => FieldBinding<Record<string, unknown>> = bindingOf,
-): void {
+/** Gives a class one accessor per field. Accessors that the class has itself stay. */
+export function defineProperties(prototype: HTMLElement, fields: object): void {
   for (const key of Object.keys(fields)) {
     if (Object.hasOwn(prototype, key)) continue;
     Object.defineProperty(prototype, key, {
       configurable: true,
       enumerable: true,
       get(this: HTMLElement): unknown {
-        return find(this).get(key);
+        return bindingOf<Record<string, unknown>>(this).get(key);
       },
       set(this: HTMLElement, value: unknown) {
-        find(this).set(key, value);
+        bindingOf<Record<string, unknown>>(this).set(key, value);
       },
     });
   }
