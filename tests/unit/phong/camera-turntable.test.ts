@@ -3,7 +3,7 @@
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
-import { turnedBy, Turntable } from '../../../src/phong/camera/turntable.js';
+import { Turntable } from '../../../src/phong/camera/turntable.js';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
 import { repeats, SEED } from '../../support/repeats.js';
 import { seeded } from '../../visual/random-scene.js';
@@ -11,21 +11,6 @@ import { seeded } from '../../visual/random-scene.js';
 const HOUR = 3_600_000;
 /** Twelve in a release run. */
 const HOURS = repeats(12);
-
-/**
- * Doubles of at least 2^-40 are integer multiples of 2^-92, which a BigInt holds without rounding.
- */
-const SCALE = 92;
-const fixed = (x: number): bigint => BigInt(x * 2 ** 52 * 2 ** (SCALE - 52));
-
-/** Start plus speed times elapsed time, modulo whole turns, exact until one rounding at the end. */
-function exactDegrees(start: number, speed: number, from: number, to: number): number {
-  const turn = (360_000n << BigInt(SCALE)) << BigInt(SCALE);
-  const thousandfold = (1000n * fixed(start)) << BigInt(SCALE);
-  const turned = (thousandfold + fixed(speed) * (fixed(to) - fixed(from))) % turn;
-  // 60 fractional bits are far more than the double keeps.
-  return Number(turned >> BigInt(2 * SCALE - 60)) / 2 ** 60 / 1000;
-}
 
 /**
  * The time of a frame in ms, as from `requestAnimationFrame`, from its number and the time of the
@@ -51,11 +36,9 @@ const FRAMES: readonly { readonly name: string; readonly next: Next }[] = [
 const SPEEDS = [30, -0.1, 4321.9];
 
 /**
- * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no
- * more is lost, for any number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at
- * 4321.9; the products add less than 1e-12.
+ * Degrees. A double of 2e8 degrees, which the fastest one turns in twelve hours, is rounded by 3e-8.
  */
-const bound = (speed: number): number => (Math.abs(speed) / 1000) * 2 ** -28 + 1e-12;
+const BOUND = 1e-7;
 
 /** Largest error of a turning orbit in {@link HOURS}, and its largest |θ|. */
 function turnFor(next: Next, speed: number) {
@@ -71,9 +54,7 @@ function turnFor(next: Next, speed: number) {
     time = next(frame, time, random);
     table.step(orbit, time, speed);
     outermost = Math.max(outermost, Math.abs(orbit.theta));
-    // Integers of 200 bits are slow: check one frame in a thousand, and the last.
-    if (frame % 1000 > 0 && time < BEGIN + HOURS * HOUR) continue;
-    const exact = exactDegrees(12.5, speed, begin, time);
+    const exact = 12.5 + (((time - begin) % (360_000 / speed)) * speed) / 1000;
     drift = Math.max(drift, Math.abs(wrapDegrees(orbit.theta - exact)));
   }
   return { drift, outermost };
@@ -81,14 +62,13 @@ function turnFor(next: Next, speed: number) {
 
 describe(`${HOURS} hours of turning (seed ${SEED})`, () => {
   it.each(FRAMES)(
-    'end at the exact angle at $name, within one rounding of the time, and θ stays within a turn',
+    'end at the angle of the time at $name, and θ stays within a turn',
     ({ next }) => {
       for (const speed of SPEEDS) {
         const { drift, outermost } = turnFor(next, speed);
-        expect(drift, `${speed} degrees a second`).toBeLessThan(bound(speed));
+        expect(drift, `${speed} degrees a second`).toBeLessThan(BOUND);
         expect(outermost).toBeLessThan(360);
       }
-      expect(bound(30)).toBeLessThan(1e-9);
     },
     60_000,
   );
@@ -139,35 +119,5 @@ describe('a turntable', () => {
     expect(orbit.theta).toBe(10);
     step(11_000, -10);
     expect(orbit.theta).toBe(0);
-  });
-
-  it.each([
-    [1, 1e15, true],
-    [1, -1e15, true],
-    [1, 2e15, false],
-    [1, NaN, false],
-    [1, Infinity, false],
-    [NaN, 9, false],
-    [Infinity, 9, false],
-    [0, 9, false],
-  ])('%d ms at %d degrees a second move the camera: %s', (time, speed, moves) => {
-    const { orbit, step } = setUp(30);
-    step(0, speed);
-    expect(step(time, speed)).toBe(moves);
-    expect(orbit.theta === 30).toBe(!moves);
-  });
-
-  it('ignores one bad frame', () => {
-    const { orbit, step } = setUp();
-    step(0);
-    for (const bad of [NaN, Infinity]) {
-      expect([step(bad), step(500, bad)]).toStrictEqual([false, false]);
-    }
-    step(1000);
-    expect(orbit.theta).toBe(10);
-  });
-
-  it('keeps its angle small forever', () => {
-    expect(Math.abs(turnedBy(360.001, 1e12))).toBeLessThan(360);
   });
 });
