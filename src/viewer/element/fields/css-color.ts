@@ -2,11 +2,7 @@
 // it.
 import { clamp, type Vec3 } from '../../../phong/math/vector.js';
 
-const colors = new Map<string, Vec3 | null>();
 let context: CanvasRenderingContext2D | null | undefined;
-
-/** Size of the cache, in colours: about 500 kB. A full cache is emptied. */
-const CACHE_SIZE = 1000;
 
 /**
  * Limits of the text that the browser parses. In Chromium 156 the time doubles with each unclosed
@@ -24,20 +20,10 @@ const HIDING = /["'\\]|\/\*/;
  * that is too long or too deep to be parsed safely.
  */
 export function cssColor(text: string): Vec3 | null {
-  // Before trimming: V8 keeps the whole of a text for the sake of a part
-  // (https://bugs.chromium.org/p/v8/issues/detail?id=2869).
   if (text.length > LONGEST) return null;
-  const key = text.trim().toLowerCase();
-  if (HIDING.test(key) || depthOf(key) > DEEPEST) return null;
-  let color = colors.get(key);
-  if (color === undefined) {
-    color = key.includes('currentcolor') ? null : parsed(key);
-    if (colors.size >= CACHE_SIZE) {
-      colors.clear();
-    }
-    colors.set(key, color);
-  }
-  return color;
+  const color = text.trim().toLowerCase();
+  if (HIDING.test(color) || depthOf(color) > DEEPEST || color.includes('currentcolor')) return null;
+  return parsed(color);
 }
 
 /** The most parentheses that are open at once. */
