@@ -29,18 +29,11 @@ export function cullsBackFaces(
   return sides === 'single' || isOutside(geometry, matrixWorld, camera);
 }
 
-function isFlattened({ elements: e }: Matrix4): boolean {
-  const a = e[0],
-    b = e[1],
-    c = e[2],
-    d = e[4],
-    f = e[5],
-    g = e[6],
-    h = e[8],
-    i = e[9],
-    j = e[10];
-  const determinant = a * (f * j - g * i) - d * (b * j - c * i) + h * (b * g - c * f);
-  const lengths = (a * a + b * b + c * c) * (d * d + f * f + g * g) * (h * h + i * i + j * j);
+function isFlattened(matrix: Matrix4): boolean {
+  const { elements: e } = matrix;
+  const squared = (at: number): number => e[at]! ** 2 + e[at + 1]! ** 2 + e[at + 2]! ** 2;
+  const determinant = matrix.determinant();
+  const lengths = squared(0) * squared(4) * squared(8);
   return !(determinant * determinant > FLATTENED * FLATTENED * lengths);
 }
 
