@@ -62,7 +62,7 @@ export async function castSceneOf(
   for (const { object } of parts) {
     scene.add(object);
   }
-  const fit = fitTo(measure(scene), values.target, fov, width / height);
+  const fit = fitTo(measure(scene), values, fov, width / height);
   const radius = values.radius === 'auto' ? fit.radius : values.radius;
   const orbit = new Orbit({ theta, phi, radius, target: fit.target });
   const camera = { eye: orbit.eye(), ...orbit.basis(), fov };

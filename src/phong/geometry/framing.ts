@@ -16,18 +16,20 @@ export interface Fit {
   readonly empty: boolean;
 }
 
-/** The camera that shows a scene of this extent, about `target`. `fov`: vertical, in degrees. */
-export function fitTo(extent: Extent, target: Framing['target'], fov: number, aspect: number): Fit {
-  const { bounds } = extent;
-  const empty = bounds === null;
-  const fitted = fitPose(bounds, fov, aspect);
+/**
+ * The camera that shows a scene of this extent. `fov`: vertical, in degrees. About a given target,
+ * a given radius stays: an automatic one takes a step for each mesh.
+ */
+export function fitTo(
+  extent: Extent,
+  { target, radius }: Framing,
+  fov: number,
+  aspect: number,
+): Fit {
+  const empty = extent.bounds === null;
+  const fitted = fitPose(extent.bounds, fov, aspect);
   if (target === 'auto') return { ...fitted, empty };
-  return {
-    target,
-    empty,
-    // A step for each mesh, so it is computed only when it is read: a given radius replaces it.
-    get radius() {
-      return empty ? fitted.radius : fitRadius(extent.radiusAbout(target), fov, aspect);
-    },
-  };
+  if (radius !== 'auto') return { target, radius, empty };
+  const reach = extent.radiusAbout(target);
+  return { target, radius: empty ? fitted.radius : fitRadius(reach, fov, aspect), empty };
 }

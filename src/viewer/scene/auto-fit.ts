@@ -142,11 +142,11 @@ export class AutoFit {
   }
 
   /**
-   * The camera of this framing for this picture alone. Its radius is that of `auto`, whatever the
-   * framing says.
+   * The camera of this framing for this picture alone. With an automatic target its radius is
+   * automatic too, whatever the framing says.
    */
-  fitOf({ target }: Framing): Fit {
-    return fitTo(this.measure(), target, this.#fov, this.#aspect);
+  fitOf(framing: Framing): Fit {
+    return fitTo(this.measure(), framing, this.#fov, this.#aspect);
   }
 
   #refit(): void {

@@ -133,10 +133,10 @@ describe('the measure of a scene', () => {
     expect(measure(sceneOf(new Mesh(broken)))).toMatchObject({ bounds: { center: [0, 0, 0] } });
   });
 
-  it('is not measured about a given target until its radius is read', () => {
+  it('is not measured about a given target with a given radius', () => {
     const radiusAbout = vi.fn();
     const extent = measure(sceneOf(new Mesh(new SphereGeometry())));
-    fitTo({ ...extent, radiusAbout }, [0, 0, 0], 45, 1);
+    fitTo({ ...extent, radiusAbout }, { target: [0, 0, 0], radius: 2 }, 45, 1);
     expect(radiusAbout).not.toHaveBeenCalled();
   });
 
