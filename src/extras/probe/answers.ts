@@ -16,8 +16,11 @@ import {
   coefficientOf,
   drawn,
   type Equation,
+  givenOf,
   intensityOf,
+  local,
   ownOf,
+  plain,
   type TermAt,
 } from './equations.js';
 
@@ -36,6 +39,9 @@ export interface Question {
   readonly channel: number;
   readonly expected: number;
   readonly wrongs: readonly Wrong[];
+  /** What it can be answered from. */
+  readonly given: string;
+  readonly facts: string;
 }
 
 /** Mistakes of a function that can be made on paper too, with the numbers that a question gives. */
@@ -57,12 +63,14 @@ const ON_PAPER = [
   'colours-added',
 ] as const satisfies readonly MistakeId[];
 
+/** Not of the sum. */
 export function questionOf(equation: Equation, channel: number): Question {
   return {
     equation,
     channel,
     expected: equation.value[channel]!,
-    wrongs: equation.at === null ? [] : wrongsOf(equation.at, channel),
+    wrongs: wrongsOf(equation.at!, channel),
+    ...givenOf(equation, channel),
   };
 }
 
@@ -89,9 +97,12 @@ export function sumQuestion(
   );
   wrongs.push(
     without('E', drawn(subtract(total, own), linear)[channel]!),
-    without(linear ? phrase(texts, 'encoded') : 'min(…, 1)', total[channel]!),
+    without(linear ? 'sRGB' : 'min(…, 1)', total[channel]!),
   );
-  return { equation, channel, expected: equation.value[channel]!, wrongs };
+  const x = own[channel]!;
+  const sum = x > 0 ? `Σ + ${local(plain(x, 4), texts)}` : 'Σ';
+  const given = linear ? `sRGB(${sum})` : sum;
+  return { equation, channel, expected: equation.value[channel]!, wrongs, given, facts: '' };
 }
 
 function wrongsOf(at: TermAt, channel: number): Wrong[] {

@@ -223,7 +223,7 @@ export const valueOf = ({ value, exponent, clamped }: Factor, channel: number): 
 const exact = (x: number): string => String(Number(x.toPrecision(6)));
 
 /** 0 and 1 are exact. Extreme numbers are powers of ten. */
-function plain(x: number, digits: number): string {
+export function plain(x: number, digits: number): string {
   if (x === 0 || x === 1) return String(x);
   return Math.abs(x) < 1e6 ? x.toFixed(digits) : x.toExponential(digits);
 }

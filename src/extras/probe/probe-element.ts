@@ -27,7 +27,7 @@ import {
 import tableStyles from '../overlay/probe/sum-table.css?inline';
 import { judge, type Question, questionOf, sumQuestion, type Verdict } from './answers.js';
 import { CopyButtons } from './copy-buttons.js';
-import { CHANNELS, type Equation, equationsOf, givenOf, isGrey, titleOf } from './equations.js';
+import { CHANNELS, type Equation, equationsOf, isGrey, titleOf } from './equations.js';
 import { FollowedPoint } from './followed-point.js';
 import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
@@ -52,7 +52,7 @@ class Probe extends ExtraElement<ProbeValues> {
   readonly #attempts = new Map<string, Attempt>();
   /** Typed, or assigned before there was a question. */
   #initial: string[] = [];
-  #shownKeys: readonly string[] = [];
+  #shownKeys: string[] = [];
   #viewer: PhongViewer | null = null;
   #point: FollowedPoint | null = null;
   #texts: ViewerTexts | null = null;
@@ -240,9 +240,7 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 
   #question(question: Question, isOpen: boolean, texts: ViewerTexts | null): TemplateResult {
-    const { equation, channel } = question;
-    const { given, facts } =
-      equation.term === 'sum' ? { given: equation.symbols, facts: '' } : givenOf(equation, channel);
+    const { equation, channel, given, facts } = question;
     const title = titleOf(equation, channel, texts);
     return html`<li>
       <span class="title" part="title" dir="auto">${title}</span>
@@ -262,7 +260,7 @@ class Probe extends ExtraElement<ProbeValues> {
       shown: false,
     };
     this.#attempts.set(key, attempt);
-    this.#shownKeys = [...this.#shownKeys, key];
+    this.#shownKeys.push(key);
     if (Math.abs(attempt.expected - expected) > 1e-6) {
       // Another point, or another light, begins anew.
       Object.assign(attempt, { expected, verdict: null, shown: false });
@@ -339,11 +337,10 @@ class Probe extends ExtraElement<ProbeValues> {
       data.append(name, text);
     }
     this.internals.setFormValue(name === '' ? null : data, this.value);
-    const missing = required && typed.some((text) => text === '');
-    const empty = Array.from(this.root.querySelectorAll<HTMLInputElement>('form input')).find(
+    const empty = [...this.root.querySelectorAll<HTMLInputElement>('form input')].find(
       (input) => input.value.trim() === '',
     );
-    if (missing && empty !== undefined) {
+    if (required && empty !== undefined) {
       this.internals.setValidity({ valueMissing: true }, valueMissing(), empty);
     } else {
       this.internals.setValidity({});

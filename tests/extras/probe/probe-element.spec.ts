@@ -45,7 +45,10 @@ test('shows the table, the equation or questions of the declared point, as `as` 
   await assign(element, { ask: 'sum' });
   await expect(element.getByRole('textbox', { name: 'sum' })).toBeVisible();
   await expect(element.getByRole('listitem')).toHaveCount(4);
-  await assign(page.locator('phong-viewer'), { shading: 'gouraud' });
+  const viewer = page.locator('phong-viewer');
+  await assign(viewer, { colorInterpolation: 'linear' });
+  expect(await formulas(line(page, 'sum'))).toBe('sRGB(Σ)=');
+  await assign(viewer, { shading: 'gouraud' });
   await expect(element.getByRole('table'), 'corners have no equation here').toBeVisible();
 });
 
@@ -104,7 +107,7 @@ test('the arrow keys move its ring over the surface, for all probes of the viewe
   await expect.poll(shown).toBe(right);
   await page.mouse.move(140, 105);
   await page.mouse.move(141, 105);
-  expect(await shown(), 'pinned').toBe(right);
+  expect(await shown()).toBe(right);
   await page.keyboard.press('Escape');
   await page.mouse.move(135, 106);
   await expect.poll(shown).not.toBe(right);
@@ -128,10 +131,8 @@ test('has its answers again after a way back to the page', async ({ page, mount 
   await mount(`${scene()}<form>${probe('at="0 0 0" as="ask" name="q"')}</form>`, size);
   const fields = page.getByRole('textbox');
   await fields.nth(1).fill('0,078');
-  const address = page.url();
   await page.goto('about:blank');
   await page.goBack();
-  await expect(page).toHaveURL(address);
   await expect(fields.nth(1)).toHaveValue('0,078');
   await expect(fields.first()).toHaveValue('');
 });
@@ -351,11 +352,8 @@ test('is as wide as its place, with all fields in view on a phone, and whole on 
   );
   const fields = page.getByRole('textbox');
   await expect(fields).toHaveCount(6);
-  const boxes = await fields.evaluateAll((all) => all.map((one) => one.getBoundingClientRect()));
-  for (const { left, right } of boxes) {
-    expect(left).toBeGreaterThanOrEqual(0);
-    expect(right).toBeLessThanOrEqual(390);
-  }
+  const ends = fields.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().right));
+  expect(Math.max(...(await ends))).toBeLessThanOrEqual(390);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   await page.emulateMedia({ media: 'print' });
   const lines = page.locator('phong-probe').last().getByRole('listitem');
