@@ -5,10 +5,10 @@ const NUMBER = String.raw`[\p{Nd}.,\u066b]*\p{Nd}(?:e[+\u2212]?\p{Nd}+)?%?`;
 const TOKENS = new RegExp(String.raw`[KI][ads](?![a-z])|\p{L}+|${NUMBER}|\S`, 'gu');
 const IS_NUMBER = /^\p{Nd}/u;
 
-/** In pieces, because a line of MathML does not break: at each factor and summand but N · L. */
+/** In pieces, because a line of MathML does not break: at each operator but those of N · L. */
 export const mathOf = (text: string): TemplateResult =>
   html`${text
-    .split(/ (?=[·+] (?![LHV]))/)
+    .split(/ (?=[·+=≈] (?![LHV]))/)
     .map((piece) => html`<math alttext=${piece}>${rowOf(piece.match(TOKENS) ?? [])}</math> `)}`;
 
 function rowOf(tokens: readonly string[]): TemplateResult {
@@ -33,10 +33,10 @@ function rowOf(tokens: readonly string[]): TemplateResult {
     if (token === ')') {
       base = open.pop() ?? base;
     }
-    // The first of a piece would lose the space before it.
+    // As wide a space on the right as between pieces.
     parts.push(
       /^[·+=≈]$/.test(token)
-        ? mathml`<mo form="infix" rspace="0.25em">${token}</mo>`
+        ? mathml`<mo form="infix" lspace="${Math.min(parts.length, 0.25)}em" rspace="0.25em">${token}</mo>`
         : atomOf(token),
     );
   }

@@ -188,20 +188,18 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 
   #formula(equations: readonly Equation[], texts: ViewerTexts | null): TemplateResult {
-    const written = equations
-      .map(({ symbols, numbers, sign, result }) => `${symbols} = ${numbers} ${sign} ${result}`)
-      .join('\n');
+    const written = equations.map((equation) => `${equation.symbols} ${numbersOf(equation)}`);
     const lines = equations.map(
-      (equation) =>
+      (equation, i) =>
         html`<li>
           <span class="title" part="title" dir="auto">${titleOf(equation, null, texts)}</span>
-          <span class="math" dir="ltr">${mathOf(equation.symbols)} ${numbersOf(equation)}</span>
+          <span class="math" dir="ltr">${mathOf(written[i]!)}</span>
         </li>`,
     );
     return html`<ul class="equations">
         ${lines}
       </ul>
-      ${this.#copy.template(written, texts)}`;
+      ${this.#copy.template(written.join('\n'), texts)}`;
   }
 
   /** The lines that `ask` names, and what they are computed from. */
@@ -325,7 +323,7 @@ class Probe extends ExtraElement<ProbeValues> {
           >${verdict?.text}</output
         >
       </form>
-      ${shown ? html`<span class="math" dir="ltr">${numbersOf(equation)}</span>` : nothing}`;
+      ${shown ? html`<span class="math" dir="ltr">${mathOf(numbersOf(equation))}</span>` : nothing}`;
   }
 
   /** The form's entries, one for each answer, and whether one is missing. */
@@ -348,8 +346,9 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 }
 
-const numbersOf = ({ numbers, sign, result }: Equation): TemplateResult =>
-  html`${mathOf(`= ${numbers}`)} ${mathOf(`${sign} ${result}`)}`;
+/** The sum of one term is that term. */
+const numbersOf = ({ numbers, sign, result }: Equation): string =>
+  numbers === result ? `${sign} ${result}` : `= ${numbers} ${sign} ${result}`;
 
 /** What the browser says of an empty field, in its user's language. */
 const valueMissing = (): string => {
