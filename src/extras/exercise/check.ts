@@ -59,7 +59,6 @@ const ALONE = 30;
 /** Points of the picture that a mistake has to explain. */
 const MOST_PICTURE = 300;
 
-const SLOW = [faultOf('The function takes too long: drawing stopped after two seconds.')];
 const LOST = [faultOf('The graphics driver has stopped. The next run starts anew.')];
 
 /** A verdict, or why there is none. Throws the signal's reason after an abort. */
@@ -87,7 +86,7 @@ export async function check(
     ];
     const colors = await program.run(parts.flat(), signal);
     if (program.isLost()) return LOST;
-    if (colors === null) return SLOW;
+    if (!(colors instanceof Float32Array)) return [colors];
     return await inTasks(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
     if (program.isLost()) return LOST;

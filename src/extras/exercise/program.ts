@@ -2,7 +2,7 @@
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
 import type { Lamp } from '../../phong/mistakes/sheet.js';
-import { type Fault, faultOf } from './guard.js';
+import { ALL_TURNS, type Fault, faultOf, loopFault } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 
@@ -15,7 +15,7 @@ void main() {
 const WIDTH = 64;
 
 /**
- * What a learner's text stands behind. The power of a negative number is undefined in GLSL, and some
+ * What a learner's text stands behind; `exerciseStop` is asked in each turn of a loop. The power of a negative number is undefined in GLSL, and some
  * drivers give that of its amount: here it is not a number.
  * Words of less precision are those of phones, where half floats would make a right function wrong.
  */
@@ -48,6 +48,11 @@ vec3 exercisePow(vec3 x, vec3 y) {
 vec4 exercisePow(vec4 x, vec4 y) {
   return vec4(exercisePow(x.xy, y.xy), exercisePow(x.zw, y.zw));
 }
+int exerciseTurns, exerciseLine = 0;
+bool exerciseStop(int line) {
+  if (++exerciseTurns > ${ALL_TURNS}) exerciseLine = line;
+  return exerciseLine > 0;
+}
 uniform sampler2D exercisePoints;
 uniform sampler2D exerciseLights;
 out uvec4 exerciseResult;
@@ -65,6 +70,7 @@ void main() {
   vec3 sum = vec3(0.0);
   for (int i = int(p.w); i < int(p.w + normal.w); i++) {
     vec4 ambient = exerciseLight(i, 0), diffuse = exerciseLight(i, 1);
+    exerciseTurns = 0;
     sum += shade(
       Light(
         ambient.xyz, diffuse.xyz, exerciseLight(i, 2).xyz, exerciseLight(i, 3),
@@ -73,7 +79,7 @@ void main() {
       m, p.xyz, normal.xyz, eye.xyz
     );
   }
-  exerciseResult = uvec4(floatBitsToUint(sum), 1u);
+  exerciseResult = uvec4(floatBitsToUint(sum), exerciseLine + 1);
 }
 #define pow exercisePow
 #define mediump highp
@@ -87,6 +93,8 @@ const PATIENCE = 2000;
 
 /** Milliseconds: a frame that runs cannot be stopped, so only after a quicker one tiles grow. */
 const QUICK = 100;
+
+const SLOW = faultOf('The function takes too long: drawing stopped after two seconds.');
 
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
@@ -112,10 +120,10 @@ export class Program {
   }
 
   /**
-   * The sums at the cases, three numbers each; null where they take too long. Throws the signal's
+   * The sums at the cases, three numbers each; or why they take too long. Throws the signal's
    * reason after an abort.
    */
-  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array | null> {
+  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array | Fault> {
     const gl = this.#gl;
     const height = Math.ceil(cases.length / WIDTH);
     const [points, lamps] = await inTasks(packed(cases, WIDTH * height), signal);
@@ -139,7 +147,7 @@ export class Program {
         );
       }
       signal.throwIfAborted();
-      if (spent > PATIENCE) return null;
+      if (spent > PATIENCE) return SLOW;
       const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
       const width = Math.min(count, WIDTH - x);
       const rows = width < WIDTH ? 1 : Math.min(count / WIDTH, height - y);
@@ -151,8 +159,10 @@ export class Program {
       spent += at === 0 ? 0 : took - least;
       const floats = new Float32Array(bits.buffer);
       for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
+        const line = bits[i + 3]! - 1;
+        if (line > 0) return loopFault(line);
         // Where the function has discarded the pixel nothing is written.
-        if (bits[i + 3] === 1) {
+        if (line === 0) {
           colors.set(floats.subarray(i, i + 3), 3 * at);
         }
       }
@@ -220,13 +230,13 @@ export class Program {
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
       if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
-        return messagesIn(gl.getShaderInfoLog(shader) ?? '');
+        return messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
       }
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
     if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
-      return messagesIn(gl.getProgramInfoLog(program) ?? '');
+      return messagesIn(gl.getProgramInfoLog(program) ?? '', own);
     }
     gl.useProgram(program);
     gl.uniform1i(gl.getUniformLocation(program, 'exercisePoints'), 0);
@@ -236,7 +246,7 @@ export class Program {
 }
 
 /** What the compiler says, by the learner's lines. */
-function messagesIn(log: string): Fault[] {
+function messagesIn(log: string, glsl: string): Fault[] {
   const lines = log
     .replace(/\0/g, '')
     .split('\n')
@@ -245,15 +255,23 @@ function messagesIn(log: string): Fault[] {
   return (lines.length > 0 ? lines : [log]).map((line) => {
     const [, number, text = line] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
     const own = Number(number) - LINES;
-    // Of overloads only a compiler knows which one is called.
+    const at = own > 0 ? own : null;
     const [, name] = /Recursive function call.*\b(\w+)$/.exec(text) ?? [];
     if (name !== undefined) {
       return faultOf('A function calls itself: {name}. GLSL has no recursion.', { name });
     }
-    const message = text.replace(/exercisePow/g, 'pow');
-    return { text: message, values: {}, line: own > 0 ? own : null };
+    const isOther = /same return type/.test(text) && /\bshade\b/.test(glsl.split('\n')[own - 1]!);
+    if (isOther || text.includes('Function shade()')) {
+      return faultOf(/\bshade\s*\(/.test(glsl) ? OTHER_SHADE : NO_SHADE, {}, at);
+    }
+    return { text: text.replace(/exercisePow/g, 'pow'), values: {}, line: at };
   });
 }
+
+const NO_SHADE =
+  'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
+const OTHER_SHADE =
+  'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
 /** Six texels a case, and six a lamp; each list of lamps once. */
 function* packed(

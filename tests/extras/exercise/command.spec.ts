@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { findTestBrowser } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
-import { REFUSED_ONES, RIGHT, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
+import { RIGHT, STOPPED_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
 
 const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
 
@@ -43,7 +43,7 @@ test('a line for each submission, in words and as CSV, and a status', async ({},
   const files = {
     'ada.glsl': RIGHT,
     'ben.glsl': WRONG_ONES['no-attenuation']!['missing']!,
-    'cy.glsl': REFUSED_ONES['a wrong name']![0],
+    'cy.glsl': STOPPED_ONES['a wrong name']![0],
     'dee.glsl': UNUSUAL_ONES['black']!,
   };
   for (const [name, source] of Object.entries(files)) {

@@ -138,6 +138,17 @@ ${changed(
   ['m.kd * light.diffuse * max(NoL, 0.0)', 'positive(m.kd * light.diffuse * NoL)'],
 )}`,
   'with spaces from elsewhere': `\uFEFF${RIGHT.replaceAll('  ', '\u00A0 ')}`,
+  'with an array, and loops without braces': changed([
+    'vec3 ambient = m.ka * light.ambient;',
+    `const int COUNT = 2 * 2;
+  float few[COUNT] = float[](1.0, 1.0, 1.0, 1.0), one = 0.0;
+  for (int i = 0; i < 3; i++) if (NoL < 0.0) for (uint k = 0u; k < 3u; ++k) one += few[k] / 9.0;
+  else one += few[i] / 3.0;
+  int n = 0;
+  for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) { if (k % 2 == 0) continue; n++; }
+  if (n != 5000) one = 0.0;
+  vec3 ambient = one * m.ka * light.ambient;`,
+  ]),
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 
@@ -371,124 +382,74 @@ export const UNUSUAL_ONES: Readonly<Record<string, string>> = {
 /** As much as the guard lets through, for each pixel. */
 export const SLOW = `${HEAD}
   vec3 x = p;
-  for (int i = 0; i < 100; i++) for (int j = 0; j < 100; j++) { ${'x=sin(x+x.yzx);'.repeat(13)} }
+  for (int i = 0; i < 100; i++) for (int j = 0; j < 100; j++) { ${'x=sin(x+x.yzx);'.repeat(200)} }
   return x;
 }`;
 
-/** An overload that calls itself: only a compiler sees that. */
-export const RECURSIVE = `float f(float x) { return x; }
-vec2 f(vec2 x) { return f(x); }
-${HEAD} return vec3(f(p.xy), f(1.0)); }`;
-
-/** Refused before anything is drawn, by a part of the reason. */
+/** What the guard refuses, before anything is compiled, by a part of the reason. */
 export const REFUSED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
-  'no function': ['float x = 1.0;', 'There is no function shade'],
-  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
-  'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
-  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'shade has other parameters'],
-  recursion: [
-    `${HEAD} return shade(light, m, p, normal, eye); }`,
-    'A function calls itself: shade',
-  ],
-  'two that call each other': [
-    `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
-    'A function calls itself',
-  ],
-  'overloads that call each other, behind a macro and a prototype': [
-    `#define G f
-float f(vec2 x); float f(float x) { return G(vec2(x)); } float f(vec2 x) { return G(x.x); } ${HEAD} return vec3(f(1.0)); }`,
-    'A function calls itself',
-  ],
-  'loops in an overload that is declared first': [
-    `float f(vec2 x); float f(float x) { float s = x; for (int i = 0; i < 200; i++) { s += f(vec2(s)); } return s; }
-float f(vec2 x) { float s = 0.0; for (int i = 0; i < 200; i++) { s += x.x; } return s; } ${HEAD} return vec3(f(1.0)); }`,
-    'Loops inside each other may run',
-  ],
-  'an endless loop': [`${HEAD} for (;;) {} return p; }`, 'A loop must be a for'],
-  while: [`${HEAD} while (true) {} return p; }`, 'A loop must be a for'],
-  'do while': [`${HEAD} int i = 0; do { i++; } while (i < 9); return p; }`, 'A loop must be a for'],
-  'a long loop': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
-    'A loop must be a for',
-  ],
-  'loops in loops': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) for (int j = 0; j < 200; j++) s += 1.0; return vec3(s); }`,
-    'Loops inside each other may run',
-  ],
-  'loops in calls': [
-    `float f() { float s = 0.0; for (int i = 0; i < 200; i++) { s += 1.0; } return s; }
-${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) { s += f(); } return vec3(s); }`,
-    'Loops inside each other may run',
-  ],
   'calls that double': [
     `float f0() { return 1.0; }
 ${Array.from({ length: 30 }, (_, i) => `float f${i + 1}() { return f${i}() + f${i}(); }`).join('\n')}
 ${HEAD} return vec3(f30()); }`,
     'The function does too much',
   ],
-  'a counter that is set back': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 9; i++) { s += 1.0; i = 0; } return vec3(s); }`,
-    'A loop must be a for',
+  'overloads that double': [
+    `${Array.from({ length: 30 }, (_, i) => `struct S${i} { float x; }; float f(S${i} s);`).join('\n')}
+${Array.from({ length: 29 }, (_, i) => `float f(S${i + 1} s) { return f(S${i}(s.x)) + f(S${i}(s.x)); }`).join('\n')}
+float f(S0 s) { return s.x; } ${HEAD} return vec3(f(S29(1.0))); }`,
+    'The function does too much',
   ],
-  'a counter that is given away': [
-    `void back(inout int i) { i = 0; } ${HEAD} for (int i = 0; i < 9; i++) { back(i); } return p; }`,
-    'A loop must be a for',
+  'a macro that doubles what it is given': [
+    `#define D(x) ((x)+(x))\n${HEAD} return ${'D('.repeat(24)}p${')'.repeat(24)}; }`,
+    'The function does too much',
   ],
-  'a counter behind a macro': [
-    `#define I i\n${HEAD} for (int i = 0; i < 9; i++) { I = 0; } return p; }`,
-    'A loop must be a for',
+  'a macro that is given to a macro': [
+    `#define D(x) ((x)+(x))\n#define C(f, x) ${'f('.repeat(24)}x${')'.repeat(24)}\n${HEAD} return C(D, p); }`,
+    'only #define is allowed',
   ],
-  'a bound behind a parameter': [
-    `float f(int n) { float s = 0.0; for (int i = 0; i < n; i++) { s += 1.0; } return s; } ${HEAD} return vec3(f(2000000000)); }`,
-    'A loop must be a for',
+  'a macro in place of the name of a function': [
+    `#define F(n) float n(float x)\nF(f0) { return x; } F(f1) { return f0(x) + f0(x); } ${HEAD} return p; }`,
+    'not allowed here: {',
   ],
-  'a step that float32 cannot add': [
-    `${HEAD} for (float i = 16777216.0; i < 16777220.0; i += 1.0) {} return p; }`,
+  'a function that is given to a macro': [
+    `#define F(n, b) float n(float x) b\nF(f0, { return x; }) ${HEAD} return p; }`,
+    'Braces or brackets do not match',
+  ],
+  'a struct that a macro takes away': [
+    `#define struct\n#define S\nfloat f(float x) struct S { return x; } ${HEAD} return p; }`,
+    'not allowed here: {',
+  ],
+  'a block outside of functions': [`{ float x; } ${RIGHT}`, 'not allowed here: {'],
+  while: [`${HEAD} while (true) {} return p; }`, 'A loop must be a for'],
+  'do while': [`${HEAD} int i = 0; do { i++; } while (i < 9); return p; }`, 'A loop must be a for'],
+  'the head of a loop in a macro': [
+    `#define X(x) x\n${HEAD} for X((;;)) {} return p; }`,
     'A loop must be a for',
   ],
   'a loop in a macro': [
     `#define LOOP for(;;)\n${HEAD} LOOP {} return p; }`,
     'only #define is allowed',
   ],
+  'an end of loops that a macro takes away': [
+    `#define break\n${HEAD} for (;;) {} return p; }`,
+    'only #define is allowed',
+  ],
+  'a bracket in a macro': [
+    `#define OPEN (\n${HEAD} for OPEN;;) {} return p; }`,
+    'Braces or brackets do not match',
+  ],
   'a macro that closes': [`#define END }\n${HEAD} return p; END`, 'only #define is allowed'],
+  'turns that are counted anew': [
+    `${HEAD} for (;;) { exerciseTurns = 0; } return p; }`,
+    'Leave out exerciseTurns',
+  ],
   'our main': [`void main() {} ${RIGHT}`, 'Leave out main'],
   'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, 'Leave out Light'],
   pragma: [`#pragma optimize(off)\n${RIGHT}`, 'only #define is allowed'],
   'an open comment': [`${RIGHT}\n/* and the rest`, 'A comment is not closed'],
   'a brace too many': [`${RIGHT} }`, 'Braces or brackets do not match'],
   'a brace too few': [RIGHT.slice(0, -1), 'Braces or brackets do not match'],
-  'a macro that doubles what it is given': [
-    `#define D(x) ((x)+(x))\n${HEAD} return ${'D('.repeat(24)}p${')'.repeat(24)}; }`,
-    'The function does too much',
-  ],
-  'a hexadecimal bound': [
-    `#define N 0x7fffffff\n${HEAD} for (int i = 0; i < N; i++) {} return p; }`,
-    'A loop must be a for',
-  ],
-  'a constant that a list hides': [
-    `const int N = 10; ${HEAD} int m0 = 0, N = 2000000000; for (int i = 0; i < N; i++) {} return p; }`,
-    'Line 1: ',
-  ],
-  'a constant that a macro hides': [
-    `#define F(a) a\nconst int N = 10; ${HEAD} F(int) N = 2000000000; for (int i = 0; i < N; i++) {} return p; }`,
-    'A loop must be a for',
-  ],
-  'a counter in parentheses': [
-    `${HEAD} for (int i = 0; i < 9; i++) { (i) = 0; } return p; }`,
-    'A loop must be a for',
-  ],
-  'a counter and an operator that a macro joins': [
-    `#define JOIN(x, y) x y\n${HEAD} for (int i = 0; i < 9; i++) { JOIN(i, = 0); } return p; }`,
-    'A loop must be a for',
-  ],
-  'an else in a macro': [
-    `#define OTHER else\n${HEAD} for (int i = 0; i < 9; i++) if (p.x < 9.0) p.x += 1.0; OTHER i = 0; return p; }`,
-    'A loop must be a for',
-  ],
-  'a type that a macro takes away': [
-    `#define uint\nint i = 0; void f() { i = 0; } ${HEAD} for (uint i = 0; i < 9; i++) { f(); } return p; }`,
-    'A loop must be a for',
-  ],
   'a long macro in many places': [
     `#define A ${'sin(p.x)+'.repeat(900)}0.0\n${HEAD} return vec3(${'A+'.repeat(900)}0.0); }`,
     'The function does too much',
@@ -497,28 +458,71 @@ ${HEAD} return vec3(f30()); }`,
     `float f(float x) { ${'x=sin(x);'.repeat(900)} return x; } ${HEAD} float x = p.x; ${'x=f(x);'.repeat(400)} return vec3(x); }`,
     'The function does too much',
   ],
+  'a long function in a loop': [
+    `${HEAD} vec3 x = p; for (int i = 0; i < 9; i++) { ${'x=sin(x);'.repeat(900)} } return x; }`,
+    'The function does too much',
+  ],
   'matrices by the hundred': [
     `${HEAD} mat4 a = mat4(p.x); ${'a=a*a;'.repeat(1500)} return a[0].xyz; }`,
     'The function does too much',
   ],
-  'brackets by the thousand': [
-    `float g(float x) { return x; }\n${HEAD} return vec3(${'g('.repeat(3000)}p.x${')'.repeat(3000)}); }`,
-    'The function does too much',
-  ],
-  'arrays by the hundred': [
-    `float f(float x) { float a[64]; a[int(x)] = x; return a[int(x + 1.0)]; } ${HEAD} float x = p.x; ${'x=f(x);'.repeat(300)} return vec3(x); }`,
-    'The function does too much',
-  ],
-  'an array of a product': [
-    `${HEAD} float a[60 * 60 * 60]; a[int(p.x)] = 1.0; return vec3(a[3]); }`,
+  'powers by the hundred': [
+    `${HEAD} vec4 x = p.xyzx; ${'x=pow(x,x);'.repeat(1500)} return x.xyz; }`,
     'The function does too much',
   ],
   'a letter that looks like another': [RIGHT.replace('NoL', 'NоL'), '(U+043E)'],
   'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],
   'too long': [`${RIGHT}\n${'//'.padEnd(25_000, 'x')}`, 'The text is too long'],
+};
+
+const TURNS = 'Line 1: A loop must be a for. Loops inside each other may run 10\u202f000 times';
+
+/** What the compiler refuses, or the count of turns ends. */
+export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
+  'no function': ['float x = 1.0;', 'There is no function shade'],
+  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
+  'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
+  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'Line 1: shade has other parameters'],
+  recursion: [
+    `${HEAD} return shade(light, m, p, normal, eye); }`,
+    'A function calls itself: shade',
+  ],
+  'two that call each other': [
+    `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
+    'A function calls itself: a.',
+  ],
+  'an overload that calls itself': [
+    `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
+    'A function calls itself: f.',
+  ],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
   'a missing semicolon': [
     RIGHT.replace('float d = length(toLight);', 'float d = length(toLight)'),
     'Line 6: ',
+  ],
+  'an array of a product': [
+    `${HEAD} float a[60 * 60 * 60]; a[int(p.x)] = 1.0; return vec3(a[3]); }`,
+    'array size',
+  ],
+  'an endless loop': [`${HEAD} for (;;) {} return p; }`, TURNS],
+  'a long loop': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
+    TURNS,
+  ],
+  'a loop that is long at some points': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < (p.x > 0.4 ? 2000000000 : 1); i++) s += 1.0; return vec3(s); }`,
+    TURNS,
+  ],
+  'a counter that is set back': [
+    `void back(inout int i) { i = 0; } ${HEAD} for (int i = 0; i < 9; i++) { back(i); } return p; }`,
+    TURNS,
+  ],
+  'loops in loops': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 110; i++) for (int j = 0; j < 110; j++) s += 1.0; return vec3(s); }`,
+    TURNS,
+  ],
+  'loops in calls': [
+    `float f() { float s = 0.0; for (int i = 0; i < 200; i++) { s += 1.0; } return s; } ${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) { s += f(); } return vec3(s); }`,
+    TURNS,
   ],
 };

@@ -3,13 +3,19 @@ import { describe, expect, it } from 'vitest';
 import { checked } from '../../../src/extras/exercise/guard.js';
 import { GIVEN_GLSL } from '../../../src/extras/exercise/solution.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
-import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
+import {
+  REFUSED_ONES,
+  RIGHT,
+  RIGHT_ONES,
+  STOPPED_ONES,
+  UNUSUAL_ONES,
+  WRONG_ONES,
+} from './functions.js';
 
 const HEAD = 'vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {';
 
 describe('is refused with its reason:', () => {
-  const own = Object.entries(REFUSED_ONES).filter(([, [, reason]]) => !reason.startsWith('Line'));
-  it.each(own)('%s', (_, [source, reason]) => {
+  it.each(Object.entries(REFUSED_ONES))('%s', (_, [source, reason]) => {
     const reading = checked(source);
     expect(
       'fault' in reading
@@ -29,21 +35,11 @@ it('the function gets every value of a light that enters the equation', () => {
 
 it('lets through what learners write, right or wrong', () => {
   const all = [RIGHT_ONES, UNUSUAL_ONES, ...Object.values(WRONG_ONES)].flatMap(Object.values);
-  expect(all.length).toBeGreaterThan(70);
+  all.push(...Object.values(STOPPED_ONES).map(([source]) => source));
+  expect(all.length).toBeGreaterThan(90);
   for (const source of all) {
     expect(checked(source)).toHaveProperty('glsl');
   }
-});
-
-it.each([
-  'for (int i = 0; i < 8; i++) { x += float(i); }',
-  'for (int i = 8; i > 0; --i) x += 1.0;',
-  'for (uint i = 0u; i <= 8u; i += 2u) x += 1.0;',
-  'for (float t = 0.0; t < 1.0; t += 0.125) { x += t; }',
-  'for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) { x += 1.0; }',
-  'for (int i = -4; i < 4; ++i) { if (i == 0) continue; x += pow(2.0, float(i)); }',
-])('a loop whose bounds can be read is let through: %s', (loop) => {
-  expect(checked(`${HEAD} float x = 0.0; ${loop} return vec3(x); }`)).toHaveProperty('glsl');
 });
 
 it.each([
@@ -70,26 +66,12 @@ ${HEAD} return g(p.xy).xyy; }`,
   expect(checked(source)).toHaveProperty('glsl');
 });
 
-it('keeps each line in its place, with macros and constants put in', () => {
-  const reading = checked(
-    `// one\n/* two\nthree */ const int N = 3;\n#define TWICE(x) (2.0 * (x))\n${HEAD}\nfloat y = TWICE(\np.x);\nreturn vec3(y * float(N)); }`,
-  );
-  expect('glsl' in reading ? reading.glsl.split('\n').map((line) => line.trim()) : []).toEqual([
-    '',
-    '',
-    'const int N = 3 ;',
-    '',
-    'vec3 shade ( Light light , Material m , vec3 p , vec3 normal , vec3 eye ) {',
-    'float y = ( 2.0 * ( p . x ) )',
-    ';',
-    'return vec3 ( y * float ( 3 ) ) ; }',
-  ]);
-});
-
-it('lets through a macro that is given to a macro', () => {
-  const source = `#define D(x) ((x)+(x))\n#define C(f, x) f(f(f(x)))\n${HEAD} return C(D, p); }`;
+it('keeps each line in its place', () => {
+  const source = `// one\n/* two\nthree */ const float N = 3.0;\n#define TWICE(x) (2.0 * (x))\n${RIGHT}`;
   const reading = checked(source);
-  expect('glsl' in reading && reading.glsl.match(/\bp\b/g)).toHaveLength(9);
+  const bare = source.replace(/\/\/.*|\/\*[^]*\*\//g, (comment) => comment.replace(/./g, ''));
+  const wordsOf = (text: string) => text.split('\n').map((line) => line.replace(/\s/g, ''));
+  expect('glsl' in reading && wordsOf(reading.glsl)).toEqual(wordsOf(bare));
 });
 
 it('names the line of a fault', () => {
