@@ -167,7 +167,12 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     if (defined.length < DEFINED * cases.length) return [];
   }
   const areClamped = judged.every(isClamped);
-  for (const candidates of [singles(), pairs()]) {
+  // Suns shine from a few directions, which do not tell one edge of a cone from another.
+  const isEdgeSeen = judged.some(({ cases }) =>
+    cases.some((at) => at.some(({ light }) => light.position[3] === 1)),
+  );
+  for (const all of [singles(), pairs()]) {
+    const candidates = all.filter(({ ids }) => isEdgeSeen || !/aperture/.test(ids.join()));
     // What is 255 times as bright says nothing once it is clamped.
     const dim = candidates.filter(({ ids }) => areClamped && !ids.includes('scale-255'));
     const found = (yield* best(judged, candidates)) ?? (yield* best(judged, dim, true));

@@ -164,6 +164,18 @@ describe('from the colours at the sheet', () => {
   });
 });
 
+it('no edge of a cone is named where suns of a few directions do not tell one from another', () => {
+  const cases = casesOf({ ...ALL, kinds: ['directional'] });
+  for (const id of ['aperture-in-radians', 'whole-aperture'] as const) {
+    const found = formsOf(id).map((form) => judged(cases, form));
+    const wrong = found.filter((one) => !isRight(one));
+    expect(wrong.length, id).toBeGreaterThan(0);
+    for (const one of wrong) {
+      expect(mistakesIn([one]), id).toEqual([]);
+    }
+  }
+});
+
 it.each([
   ['diffuse', { ...ALL, terms: ['diffuse'], kinds: ['directional'] }, 'no-clamp'],
   [
