@@ -151,7 +151,7 @@ function attenuationAt({ share: { att, d }, light }: TermAt): Factor | null {
   if (att === 1 && !isFading) return null;
   const parts = [kc, kl, kq].flatMap((k, i) => {
     const power = ['', 'd', 'd²'][i]!;
-    return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)} ${power}`.trim();
+    return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)}\u00a0${power}`.trim();
   });
   const formula = `att = 1 / max(${parts.join(' + ')}, 1)`;
   return {
@@ -180,7 +180,7 @@ function decayAt({ share: { decay, c, insideCone }, light, texts }: TermAt): Fac
       text: (digits) => {
         const degrees = `${plain(angle, digits)}°`;
         const cone = hasCone ? `, ${aperture} ${exact(light.aperture)}°` : '';
-        return `∠(L, −${axis}) = ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
+        return `∠(L,\u00a0−${axis}) = ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
       },
       value: (digits) => {
         const x = rounded(angle, digits);
@@ -197,14 +197,14 @@ function cosineAt({ fragment, share: { NoL, RoV }, term, halfway }: TermAt): Fac
     text: (digits) => `∠(${name}) = ${plain(degreesOf(x), digits)}°`,
     value: (digits) => power(cosDegrees(rounded(degreesOf(x), digits)), n),
   });
-  const incidence = cosine('N, L', NoL, 1);
+  const incidence = cosine('N,\u00a0L', NoL, 1);
   if (term === 'diffuse') {
     return { symbol: 'max(N · L, 0)', value: grey(NoL), clamped: true, fact: incidence };
   }
   const exponent = exponentOf(fragment.shininess);
   const symbol = `max(${halfway ? 'N · H' : 'R · V'}, 0)^n`;
   if (NoL <= 0) return { symbol, value: grey(0), fact: { ...incidence, value: () => 0 } };
-  const fact = cosine(halfway ? 'N, H' : 'R, V', RoV, exponent);
+  const fact = cosine(halfway ? 'N,\u00a0H' : 'R,\u00a0V', RoV, exponent);
   return { symbol, value: grey(RoV), clamped: true, exponent, fact };
 }
 
