@@ -2,7 +2,7 @@
 import { type Term, TERMS } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
-import { checked, type Fault, faultOf } from './guard.js';
+import { guarded, refused } from './guard.js';
 import {
   type Case,
   colorAt,
@@ -59,24 +59,19 @@ const ALONE = 30;
 /** Points of the picture that a mistake has to explain. */
 const MOST_PICTURE = 300;
 
-const LOST = [faultOf('The graphics driver has stopped. The next run starts anew.')];
-
-/** A verdict, or why there is none. Throws the signal's reason after an abort. */
+/** Throws why there is no verdict, or the signal's reason after an abort. */
 export async function check(
   source: string,
   task: Task,
   picture: PicturePoints | null,
   signal: AbortSignal,
-): Promise<Verdict | readonly Fault[]> {
-  const reading = checked(source);
-  if ('fault' in reading) return [reading.fault];
+): Promise<Verdict> {
+  const glsl = guarded(source);
   const gl = openContext();
-  if (gl === null) return [faultOf('An exercise needs WebGL 2.')];
+  if (gl === null) throw refused('An exercise needs WebGL 2.');
   const program = new Program(gl);
   try {
-    const messages = program.build(reading.glsl);
-    if (program.isLost()) return LOST;
-    if (messages.length > 0) return messages;
+    program.build(glsl);
     const points = sheetOf(task, COUNT);
     const few = points.filter((_, i) => i % COUNT < ALONE);
     const parts = [
@@ -85,12 +80,12 @@ export async function check(
       picture?.cases ?? [],
     ];
     const colors = await program.run(parts.flat(), signal);
-    if (program.isLost()) return LOST;
-    if (!(colors instanceof Float32Array)) return [colors];
+    if (program.isLost()) throw new Error('lost');
     return await inTasks(verdictOf(points, parts, colors, picture), signal);
   } catch (error) {
-    if (program.isLost()) return LOST;
-    throw error;
+    throw program.isLost()
+      ? refused('The graphics driver has stopped. The next run starts anew.')
+      : error;
   } finally {
     program.dispose();
   }

@@ -14,7 +14,7 @@ import { check, type Verdict } from './check.js';
 import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
 import styles from './exercise.css?inline';
 import { kindOf } from '../../phong/mistakes/judge.js';
-import { type Fault, faultOf } from './guard.js';
+import { type Fault, Refused, refused } from './guard.js';
 import { paint } from './paint.js';
 import { pointsOf, underScene } from './picture.js';
 import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
@@ -126,10 +126,14 @@ class Exercise extends ExtraElement<ExerciseValues> {
     this.#render();
     try {
       const source = this.value;
-      this.#faults = await this.#judge(source, scene, running.signal);
+      const { right, mistakes, share } = await this.#judge(source, scene, running.signal).catch(
+        (error: unknown) => {
+          if (!(error instanceof Refused)) throw error;
+          this.#faults = error.faults;
+          return NO_VERDICT;
+        },
+      );
       if (scene === null) {
-        const verdict = this.#faults.length > 0 ? NO_VERDICT : this.#shown!;
-        const { right, mistakes, share } = verdict;
         const detail = { right, mistakes, share, source };
         this.element.dispatchEvent(new CustomEvent('check', { detail }));
       }
@@ -143,16 +147,12 @@ class Exercise extends ExtraElement<ExerciseValues> {
     }
   }
 
-  /** Sets what is shown; or says why there is no verdict. */
-  async #judge(
-    source: string,
-    scene: SceneName | null,
-    signal: AbortSignal,
-  ): Promise<readonly Fault[]> {
+  /** Sets what is shown. Throws {@link Refused} where there is no verdict. */
+  async #judge(source: string, scene: SceneName | null, signal: AbortSignal): Promise<Verdict> {
     const viewer = this.#viewer;
     if (viewer === null) {
       const id = JSON.stringify(this.values.for);
-      return [faultOf('There is no phong-viewer with the id {id}.', { id })];
+      throw refused('There is no phong-viewer with the id {id}.', { id });
     }
     await viewer.ready;
     const snapshot = hostOf(viewer).snapshot();
@@ -166,16 +166,14 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const own = await pointsOf(snapshot, task, signal);
     const n = own?.exponent ?? null;
     if (n !== null) {
-      return [faultOf('The exponent is {n} in this picture: an exercise needs 1 to 256.', { n })];
+      throw refused('The exponent is {n} in this picture: an exercise needs 1 to 256.', { n });
     }
     const picture = own === null || scene === null ? own : underScene(own, SCENES[scene], terms);
-    const result = await check(source, task, picture, signal);
-    if (!('right' in result)) return result;
-    this.#shown = result;
-    if (result.right) {
+    this.#shown = await check(source, task, picture, signal);
+    if (this.#shown.right) {
       this.#solved = task;
     }
-    return [];
+    return this.#shown;
   }
 
   #render(): void {

@@ -12,12 +12,6 @@ export interface Fault {
   readonly line: number | null;
 }
 
-export const faultOf = (
-  text: ViewerText,
-  values: Fault['values'] = {},
-  line: number | null = null,
-): Fault => ({ text, values, line });
-
 const MOST_CHARACTERS = 20_000;
 
 /** Turns of loops inside each other. */
@@ -50,36 +44,36 @@ interface Definition {
   readonly copies: number | null;
 }
 
-class Refused extends Error {
-  readonly fault: Fault;
+/** Ends a run without a verdict. */
+export class Refused extends Error {
+  readonly faults: readonly Fault[];
 
-  constructor(...values: Parameters<typeof faultOf>) {
-    super(values[0]);
-    this.fault = faultOf(...values);
+  constructor(faults: readonly Fault[]) {
+    super(faults[0]?.text);
+    this.faults = faults;
   }
 }
 
-/** What a driver may be given, each line in its place; or what is wrong with the text. */
-export function checked(source: string): { readonly glsl: string } | { readonly fault: Fault } {
-  try {
-    if (source.length > MOST_CHARACTERS) {
-      throw new Refused('The text is too long: at most {most} characters.', {
-        most: MOST_CHARACTERS,
-      });
-    }
-    // With every kind of space that editors and web pages put in, and a mark at the beginning.
-    const bare = withoutComments(source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' '));
-    return { glsl: guarded(bare.split('\n')) };
-  } catch (error) {
-    if (error instanceof Refused) return { fault: error.fault };
-    throw error;
+export const refused = (
+  text: ViewerText,
+  values: Fault['values'] = {},
+  line: number | null = null,
+): Refused => new Refused([{ text, values, line }]);
+
+/** What a driver may be given, each line in its place. Throws {@link Refused}. */
+export function guarded(source: string): string {
+  if (source.length > MOST_CHARACTERS) {
+    throw refused('The text is too long: at most {most} characters.', { most: MOST_CHARACTERS });
   }
+  // With every kind of space that editors and web pages put in, and a mark at the beginning.
+  const bare = withoutComments(source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' '));
+  return withStops(bare.split('\n'));
 }
 
 function withoutComments(source: string): string {
   const bare = source.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, (comment, at: number) => {
     if (comment.startsWith('/*') && (comment.length < 4 || !comment.endsWith('*/'))) {
-      throw new Refused('A comment is not closed.', {}, source.slice(0, at).split('\n').length);
+      throw refused('A comment is not closed.', {}, source.slice(0, at).split('\n').length);
     }
     return ` ${comment.replace(/[^\n]/g, '')}`;
   });
@@ -88,12 +82,12 @@ function withoutComments(source: string): string {
     if (found !== undefined) {
       // Some are invisible, or look like a letter.
       const code = found.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0');
-      throw new Refused(CHARACTER, { character: `${found} (U+${code})` }, i + 1);
+      throw refused(CHARACTER, { character: `${found} (U+${code})` }, i + 1);
     }
     const [, ...names] = OURS.exec(line) ?? [];
     const name = names.find(Boolean);
     if (name !== undefined) {
-      throw new Refused('Leave out {name}: it is there already.', { name }, i + 1);
+      throw refused('Leave out {name}: it is there already.', { name }, i + 1);
     }
   }
   return bare;
@@ -113,9 +107,9 @@ const DEFINE =
 const LOOP = 'A loop must be a for. Loops inside each other may run {most} times at most.';
 const TOO_MUCH = 'The function does too much: loops and calls are limited.';
 
-export const loopFault = (line: number): Fault => faultOf(LOOP, { most: MOST_TURNS }, line);
+export const tooManyTurns = (line: number): Refused => refused(LOOP, { most: MOST_TURNS }, line);
 
-function guarded(lines: readonly string[]): string {
+function withStops(lines: readonly string[]): string {
   const definitions = new Map<string, Definition[]>();
   const define = (name: string, tokens: readonly Token[], copies: number | null): void => {
     definitions.set(name, [...(definitions.get(name) ?? []), { tokens, copies }]);
@@ -131,7 +125,7 @@ function guarded(lines: readonly string[]): string {
     const body = tokensOf(rest, i + 1);
     // Our part of a loop and of an index keeps its meaning.
     const isPlain = !body.some(({ text }) => /^(for|while|do|struct|[{};#])$/.test(text));
-    if (!isPlain || /^(if|else|break|int)$/.test(name)) throw new Refused(DEFINE, {}, i + 1);
+    if (!isPlain || /^(if|else|break|int)$/.test(name)) throw refused(DEFINE, {}, i + 1);
     match(body);
     const parameters: readonly string[] = list?.match(/\w+/g) ?? [];
     const copies = body.filter(({ text }) => parameters.includes(text)).length;
@@ -150,7 +144,7 @@ function guarded(lines: readonly string[]): string {
       const isStruct = tokens[i - 2]?.text === 'struct';
       // A macro could be the name of another function.
       if (!/^\w/.test(name) || macros.has(name) || !(isFunction || isStruct)) {
-        throw new Refused(CHARACTER, { character: text }, line);
+        throw refused(CHARACTER, { character: text }, line);
       }
       if (isFunction) {
         define(name, tokens.slice(i + 1, end), null);
@@ -167,7 +161,7 @@ function guarded(lines: readonly string[]): string {
     const next = tokens[i + 1]?.text;
     const isIndex = text === '[' && next !== ']';
     if (/^(while|do)$/.test(text) || (text === 'for' && next !== '(')) {
-      throw new Refused(LOOP, { most: MOST_TURNS }, line);
+      throw tooManyTurns(line);
     }
     if (text === 'for') {
       closers.set(closing(tokens, i + 1), `) if (exerciseStop(${line})) break; else`);
@@ -191,11 +185,11 @@ function limit(
   const read = (part: readonly Token[], inside: readonly Definition[]): void => {
     for (const [i, { text, line }] of part.entries()) {
       code += text === 'pow' ? MATRIX * weight : weight;
-      if (code > MOST_CODE) throw new Refused(TOO_MUCH, {}, line);
+      if (code > MOST_CODE) throw refused(TOO_MUCH, {}, line);
       for (const one of definitions.get(text) ?? []) {
         const { copies } = one;
         // A macro that is given to another one could be put in without being counted.
-        if (copies !== null && part[i + 1]?.text !== '(') throw new Refused(DEFINE, {}, line);
+        if (copies !== null && part[i + 1]?.text !== '(') throw refused(DEFINE, {}, line);
         // Of overloads only a compiler knows which one is called. It refuses recursion.
         if (inside.includes(one)) continue;
         read(one.tokens, [...inside, one]);
@@ -220,11 +214,11 @@ function match(tokens: readonly Token[]): void {
     } else if (depthOf(text) > 0 && !(text === '{' && /^[([]$/.test(around))) {
       open.push(token);
     } else if (depthOf(text) !== 0) {
-      throw new Refused('Braces or brackets do not match.', {}, line);
+      throw refused('Braces or brackets do not match.', {}, line);
     }
   }
   if (open.length > 0) {
-    throw new Refused('Braces or brackets do not match.', {}, open.at(-1)!.line);
+    throw refused('Braces or brackets do not match.', {}, open.at(-1)!.line);
   }
 }
 

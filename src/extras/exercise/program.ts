@@ -2,7 +2,7 @@
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
 import type { Lamp } from '../../phong/mistakes/sheet.js';
-import { ALL_TURNS, type Fault, faultOf, loopFault } from './guard.js';
+import { ALL_TURNS, type Fault, Refused, refused, tooManyTurns } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 
@@ -11,7 +11,7 @@ void main() {
   gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
-/** Cases, and lamps, in a row of the textures; side of the largest tile. */
+/** Cases, and lamps, in a row of the texture; side of the largest tile. */
 const WIDTH = 64;
 
 /**
@@ -53,14 +53,13 @@ bool exerciseStop(int line) {
   if (++exerciseTurns > ${ALL_TURNS}) exerciseLine = line;
   return exerciseLine > 0;
 }
-uniform sampler2D exercisePoints;
-uniform sampler2D exerciseLights;
+uniform sampler2D exerciseData;
 out uvec4 exerciseResult;
 vec4 exerciseLight(int i, int k) {
-  return texelFetch(exerciseLights, ivec2(6 * (i % ${WIDTH}) + k, i / ${WIDTH}), 0);
+  return texelFetch(exerciseData, ivec2(6 * (i % ${WIDTH}) + k, i / ${WIDTH}), 0);
 }
 vec4 exercisePoint(int k) {
-  return texelFetch(exercisePoints, ivec2(gl_FragCoord.xy) * ivec2(6, 1) + ivec2(k, 0), 0);
+  return texelFetch(exerciseData, ivec2(gl_FragCoord.xy) * ivec2(6, 1) + ivec2(k, 0), 0);
 }
 void main() {
   vec4 p = exercisePoint(0), normal = exercisePoint(1), eye = exercisePoint(2);
@@ -94,8 +93,6 @@ const PATIENCE = 2000;
 /** Milliseconds: a frame that runs cannot be stopped, so only after a quicker one tiles grow. */
 const QUICK = 100;
 
-const SLOW = faultOf('The function takes too long: drawing stopped after two seconds.');
-
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
 
@@ -120,21 +117,23 @@ export class Program {
   }
 
   /**
-   * The sums at the cases, three numbers each; or why they take too long. Throws the signal's
-   * reason after an abort.
+   * The sums at the cases, three numbers each. Throws {@link Refused} where they take too long, and
+   * the signal's reason after an abort.
    */
-  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array | Fault> {
+  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array> {
     const gl = this.#gl;
     const height = Math.ceil(cases.length / WIDTH);
-    const [points, lamps] = await inTasks(packed(cases, WIDTH * height), signal);
-    this.#upload(0, points);
-    this.#upload(1, lamps);
+    const texels = await inTasks(packed(cases, WIDTH * height), signal);
     const target = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D, target);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, WIDTH, height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    const rows = texels.length / 24 / WIDTH;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6 * WIDTH, rows, 0, gl.RGBA, gl.FLOAT, texels);
     gl.viewport(0, 0, WIDTH, height);
     gl.enable(gl.SCISSOR_TEST);
     const colors = new Float32Array(3 * cases.length).fill(NaN);
@@ -147,12 +146,14 @@ export class Program {
         );
       }
       signal.throwIfAborted();
-      if (spent > PATIENCE) return SLOW;
+      if (spent > PATIENCE) {
+        throw refused('The function takes too long: drawing stopped after two seconds.');
+      }
       const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
       const width = Math.min(count, WIDTH - x);
-      const rows = width < WIDTH ? 1 : Math.min(count / WIDTH, height - y);
+      const lines = width < WIDTH ? 1 : Math.min(count / WIDTH, height - y);
       const start = performance.now();
-      const bits = await this.#draw(x, y, width, rows);
+      const bits = await this.#draw(x, y, width, lines);
       const took = performance.now() - start;
       // What a frame takes without its pixels. Drivers finish a program in its first one.
       least = Math.min(least, took);
@@ -160,7 +161,7 @@ export class Program {
       const floats = new Float32Array(bits.buffer);
       for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
         const line = bits[i + 3]! - 1;
-        if (line > 0) return loopFault(line);
+        if (line > 0) throw tooManyTurns(line);
         // Where the function has discarded the pixel nothing is written.
         if (line === 0) {
           colors.set(floats.subarray(i, i + 3), 3 * at);
@@ -203,19 +204,8 @@ export class Program {
     return bits;
   }
 
-  /** Rows of six texels for each of WIDTH. */
-  #upload(unit: number, texels: Float32Array): void {
-    const gl = this.#gl;
-    gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    const height = texels.length / 24 / WIDTH;
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6 * WIDTH, height, 0, gl.RGBA, gl.FLOAT, texels);
-  }
-
-  /** What the compiler has against it; empty where it can run. */
-  build(glsl: string): readonly Fault[] {
+  /** Throws {@link Refused} with what the compiler has against it. */
+  build(glsl: string): void {
     const gl = this.#gl;
     const program = gl.createProgram();
     // A function's parameters have the qualifiers of its prototype.
@@ -230,76 +220,81 @@ export class Program {
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
       if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
-        return messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
+        throw messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
       }
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
     if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
-      return messagesIn(gl.getProgramInfoLog(program) ?? '', own);
+      throw messagesIn(gl.getProgramInfoLog(program) ?? '', own);
     }
     gl.useProgram(program);
-    gl.uniform1i(gl.getUniformLocation(program, 'exercisePoints'), 0);
-    gl.uniform1i(gl.getUniformLocation(program, 'exerciseLights'), 1);
-    return [];
   }
 }
 
 /** What the compiler says, by the learner's lines. */
-function messagesIn(log: string, glsl: string): Fault[] {
+function messagesIn(log: string, glsl: string): Refused {
   const lines = log
     .replace(/\0/g, '')
     .split('\n')
     .map((line) => line.trim())
     .filter((line) => line !== '' && !line.startsWith('WARNING'));
-  return (lines.length > 0 ? lines : [log]).map((line) => {
+  const faults = (lines.length > 0 ? lines : [log]).map((line): Fault => {
     const [, number, text = line] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
     const own = Number(number) - LINES;
-    const at = own > 0 ? own : null;
-    const [, name] = /Recursive function call.*\b(\w+)$/.exec(text) ?? [];
-    if (name !== undefined) {
-      return faultOf('A function calls itself: {name}. GLSL has no recursion.', { name });
-    }
+    const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(text) ?? [];
     const isOther = /same return type/.test(text) && /\bshade\b/.test(glsl.split('\n')[own - 1]!);
-    if (isOther || text.includes('Function shade()')) {
-      return faultOf(/\bshade\s*\(/.test(glsl) ? OTHER_SHADE : NO_SHADE, {}, at);
-    }
-    return { text: text.replace(/exercisePow/g, 'pow'), values: {}, line: at };
+    const said =
+      name !== ''
+        ? RECURSION
+        : isOther || text.includes('Function shade()')
+          ? /\bshade\s*\(/.test(glsl)
+            ? OTHER_SHADE
+            : NO_SHADE
+          : text.replace(/exercisePow/g, 'pow');
+    return { text: said, values: { name }, line: own > 0 ? own : null };
   });
+  return new Refused(faults);
 }
 
+const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';
 const NO_SHADE =
   'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 const OTHER_SHADE =
   'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
-/** Six texels a case, and six a lamp; each list of lamps once. */
-function* packed(
-  cases: readonly Case[],
-  count: number,
-): Work<readonly [points: Float32Array, lamps: Float32Array]> {
-  const points = new Float32Array(24 * count);
+/** Six texels a case, and behind them six a lamp; each list of lamps once. */
+function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
   const lamps: Lamp[] = [];
-  const firsts = new Map<Lamp, number>();
-  for (const [i, at] of cases.entries()) {
-    const [given] = at;
-    yield;
-    if (given === undefined) continue;
-    const { material: m, p, normal, eye, light } = given;
-    let first = firsts.get(light);
-    if (first === undefined) {
-      firsts.set(light, (first = lamps.length));
+  const firsts = new Map<Lamp | undefined, number>();
+  for (const at of cases) {
+    const light = at[0]?.light;
+    if (!firsts.has(light)) {
+      firsts.set(light, count + lamps.length);
       lamps.push(...at.map((one) => one.light));
     }
-    points.set(
-      [...p, first, ...normal, at.length, ...eye, m.shininess, ...m.ka, 0, ...m.kd, 0, ...m.ks, 0],
+    yield;
+  }
+  const texels = new Float32Array(24 * WIDTH * Math.ceil((count + lamps.length) / WIDTH));
+  for (const [i, at] of cases.entries()) {
+    yield;
+    const [given] = at;
+    if (given === undefined) continue;
+    const { material: m, p, normal, eye, light } = given;
+    const first = firsts.get(light)!;
+    texels.set(
+      [...p, first, ...normal, at.length, ...eye, m.shininess, ...m.ka, 0, ...m.kd, 0, ...m.ks],
       24 * i,
     );
   }
-  const rows = new Float32Array(24 * WIDTH * Math.max(Math.ceil(lamps.length / WIDTH), 1));
   for (const [i, { ambient, diffuse, specular, position, axis, ...rest }] of lamps.entries()) {
-    rows.set([...ambient, rest.aperture, ...diffuse, rest.cutoff, ...specular, 0], 24 * i);
-    rows.set([...position, ...axis, 0, ...rest.attenuation, 0], 24 * i + 12);
+    texels.set(
+      [
+        ...[...ambient, rest.aperture, ...diffuse, rest.cutoff, ...specular, 0],
+        ...[...position, ...axis, 0, ...rest.attenuation],
+      ],
+      24 * (count + i),
+    );
   }
-  return [points, rows];
+  return texels;
 }
