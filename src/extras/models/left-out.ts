@@ -1,7 +1,5 @@
 // What a text file's model is shown without, for the one warning: things that are counted, each
 // with its first reason, and features by name.
-import type { Slices } from './slices.js';
-import { lineOf } from './text/text-scanner.js';
 
 const NAMES = {
   vertex: ['vertex', 'vertices'],
@@ -24,11 +22,8 @@ export type LeftOutKind = keyof typeof NAMES;
 
 export class LeftOut {
   readonly #counts = new Map<LeftOutKind, number>();
-  /** The first of each kind, with the position in the file where its line helps. */
-  readonly #reasons = new Map<
-    LeftOutKind,
-    { readonly text: string; readonly at: number | undefined }
-  >();
+  /** The first of each kind. */
+  readonly #reasons = new Map<LeftOutKind, string>();
   readonly #features = new Set<string>();
 
   add(kind: LeftOutKind, count = 1): void {
@@ -38,9 +33,9 @@ export class LeftOut {
   }
 
   /** Keeps the first reason of a kind, whether or not the thing will be left out. */
-  because(kind: LeftOutKind, reason: () => string, at?: number): void {
+  because(kind: LeftOutKind, reason: () => string): void {
     if (!this.#reasons.has(kind)) {
-      this.#reasons.set(kind, { text: reason(), at });
+      this.#reasons.set(kind, reason());
     }
   }
 
@@ -50,12 +45,12 @@ export class LeftOut {
   }
 
   /** The phrases of the warning. */
-  async names(bytes: Uint8Array, slices: Slices): Promise<ReadonlySet<string>> {
+  get names(): ReadonlySet<string> {
     const names = new Set<string>();
     for (const [kind, count] of this.#counts) {
-      const reason = await this.#reason(kind, bytes, slices);
+      const reason = this.#reasons.get(kind);
       const what = `${count.toLocaleString('en')} ${NAMES[kind][count === 1 ? 0 : 1]}`;
-      names.add(reason === '' ? what : `${what} (${reason})`);
+      names.add(reason === undefined ? what : `${what} (${reason})`);
     }
     for (const feature of this.#features) {
       names.add(feature);
@@ -64,18 +59,10 @@ export class LeftOut {
   }
 
   /** Why nothing is left of a model: the first reason known, or `otherwise`. */
-  async error(bytes: Uint8Array, slices: Slices, otherwise: string): Promise<Error> {
-    for (const kind of ['face', 'vertex', 'triangle'] as const) {
-      const reason = await this.#reason(kind, bytes, slices);
-      if (reason !== '') return new Error(reason);
-    }
-    return new Error(otherwise);
-  }
-
-  async #reason(kind: LeftOutKind, bytes: Uint8Array, slices: Slices): Promise<string> {
-    const reason = this.#reasons.get(kind);
-    if (reason === undefined) return '';
-    const { text, at } = reason;
-    return at === undefined ? text : `line ${String(await lineOf(bytes, at, slices))}: ${text}`;
+  error(otherwise: string): Error {
+    const reasons = (['face', 'vertex', 'triangle'] as const).map((kind) =>
+      this.#reasons.get(kind),
+    );
+    return new Error(reasons.find((reason) => reason !== undefined) ?? otherwise);
   }
 }

@@ -290,9 +290,7 @@ describe('a PLY file', () => {
 
   it('of over 1,000 elements is refused', async () => {
     const text = header(...Array<string>(1001).fill('element a 0'));
-    expect((await failureOf({ 'a.ply': text })).message).toMatch(
-      /line 1003: .* over 1,000 elements/,
-    );
+    expect((await failureOf({ 'a.ply': text })).message).toMatch(/over 1,000 elements/);
   });
 
   it.each([
@@ -309,13 +307,10 @@ describe('a PLY file', () => {
     [mesh(4_000_000_000, 1) + SQUARE, /truncated: its header announces/],
     [mesh(1, 1).replace('float y', 'float q') + '0 0 0\n3 0 0 0', /no x, y and z/],
     [mesh(1, 1) + '0 inf 0\n3 0 0 0', /"inf" is not a number/],
-    [mesh('four', 1), /line 3: an element has no count/],
-    [header('property float x'), /line 3: a property comes before any element/],
-    [
-      header('element vertex 1', 'property constructor x'),
-      /line 4: the type constructor is unknown/,
-    ],
-    ['ply\nformat binary 1.0\nend_header\n', /line 2: the format binary is unknown/],
+    [mesh('four', 1), /an element has no count/],
+    [header('property float x'), /a property comes before any element/],
+    [header('element vertex 1', 'property constructor x'), /the type constructor is unknown/],
+    ['ply\nformat binary 1.0\nend_header\n', /the format binary is unknown/],
     ['ply\nend_header\n', /no format/],
     ['ply\nformat ascii 1.0\nelement vertex 1\n', /no end/],
   ])('that is broken gives a readable error: %j', async (text, message) => {

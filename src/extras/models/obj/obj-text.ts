@@ -77,7 +77,6 @@ class ObjReader {
   readonly #libraries: LibraryPaths[] = [];
   readonly #materials = new Set<string>();
   #begun = false;
-  #lineStart = 0;
   /** Whether the line is a face with more corners to come. */
   #inFace = false;
   /** What the last piece took, as {@link Slices.took} counts it. */
@@ -90,12 +89,8 @@ class ObjReader {
   #smoothing = UNSTATED;
   /** First corner of the run. */
   #runStart = 0;
-  /** The largest numbers used, and where. Lists may follow the polygons that use them. */
-  readonly #highest = {
-    face: { index: -1, at: 0 },
-    uv: { index: -1, at: 0 },
-    normal: { index: -1, at: 0 },
-  };
+  /** The largest numbers used. Lists may follow the polygons that use them. */
+  readonly #highest = { face: -1, uv: -1, normal: -1 };
 
   constructor(bytes: Uint8Array, leftOut: LeftOut) {
     this.#scanner = new TextScanner(bytes, 0, true);
@@ -119,7 +114,6 @@ class ObjReader {
   #nextLine(): boolean {
     const more = this.#begun ? this.#scanner.nextLine() : this.#scanner.nextWord();
     this.#begun = true;
-    this.#lineStart = this.#scanner.at;
     return more;
   }
 
@@ -174,10 +168,10 @@ class ObjReader {
       normal: lists.normals.length / 3,
     };
     for (const [kind, what] of KINDS) {
-      const { index, at } = this.#highest[kind];
+      const index = this.#highest[kind];
       if (index < counts[kind]) continue;
       const reason = `it refers to ${what} ${String(index + 1)}, but there are only ${String(counts[kind])}`;
-      this.#leftOut.because(kind, () => reason, at);
+      this.#leftOut.because(kind, () => reason);
     }
     return { lists, runs: this.#runs, libraries: this.#libraries };
   }
@@ -192,7 +186,6 @@ class ObjReader {
       this.#leftOut.because(
         'vertex',
         () => scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z),
-        this.#lineStart,
       );
     }
     // Four numbers are x y z w, and w matters to curves only. Six are x y z r g b.
@@ -253,7 +246,7 @@ class ObjReader {
     if (hasSlash && scanner.atBreak) return false;
     const word = scanner.quotedWord();
     const why = `${word} is not written as v, v/vt, v//vn or v/vt/vn`;
-    this.#leftOut.because(hasSlash ? 'corner' : 'face', () => why, this.#lineStart);
+    this.#leftOut.because(hasSlash ? 'corner' : 'face', () => why);
     if (hasSlash) {
       this.#leftOut.add('corner');
     }
@@ -269,14 +262,10 @@ class ObjReader {
       const why = Number.isNaN(written)
         ? `${this.#scanner.quotedWord()} is not a corner of a face`
         : 'a corner of a face refers to something that is not there';
-      this.#leftOut.because(kind, () => why, this.#lineStart);
+      this.#leftOut.because(kind, () => why);
       return NOT_THERE;
     }
-    const highest = this.#highest[kind];
-    if (index > highest.index) {
-      highest.index = index;
-      highest.at = this.#lineStart;
-    }
+    this.#highest[kind] = Math.max(this.#highest[kind], index);
     return index;
   }
 

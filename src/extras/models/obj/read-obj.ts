@@ -54,9 +54,8 @@ export const read: ModelReader = async (source) => {
       }
     }
     text.lists.free();
-    if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
-    const dropped = await leftOut.names(bytes, slices);
-    return { ...ownedModel(parts, () => void textures.close()), dropped };
+    if (parts.length === 0) throw leftOut.error('it has no faces');
+    return { ...ownedModel(parts, () => void textures.close()), dropped: leftOut.names };
   } catch (error) {
     void textures.close();
     throw error;

@@ -1,7 +1,7 @@
 // Reads the header of a PLY file: elements with their counts and properties, and how the values are
 // written.
 import type { Slices } from '../slices.js';
-import { lineOf, TextScanner } from '../text/text-scanner.js';
+import { TextScanner } from '../text/text-scanner.js';
 
 type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 
@@ -78,7 +78,6 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
   scanner.word(); // `ply`
   const draft: Draft = { encoding: null, elements: [], hasTexture: false, declarations: 0 };
   while (scanner.nextLine()) {
-    const { at } = scanner;
     const keyword = scanner.word();
     if (keyword === 'end_header') {
       const { encoding } = draft;
@@ -90,12 +89,7 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
     if (slices.took(1 / 2)) {
       await slices.pause();
     }
-    try {
-      readDeclaration(keyword, scanner, draft);
-    } catch (cause) {
-      const line = await lineOf(bytes, at, slices);
-      throw new Error(`line ${String(line)}: ${(cause as Error).message}`, { cause });
-    }
+    readDeclaration(keyword, scanner, draft);
   }
   throw new Error('its header has no end');
 }

@@ -43,16 +43,15 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const ranges = [{ start: 0, end: lists.corners.length }];
   const geometry = await new IndexedGeometries(lists, budget, slices).of(ranges, false);
   lists.free();
-  if (geometry === null) throw await leftOut.error(bytes, slices, 'it has no triangles');
+  if (geometry === null) throw leftOut.error('it has no triangles');
   if (header.hasTexture) {
     leftOut.feature('TextureFile');
   }
-  const dropped = await leftOut.names(bytes, slices);
   const look = { ...PLAIN_LOOK, vertexColors: geometry.hasAttribute('color') };
   const { matrix } = lists.places;
   return {
     ...ownedModel([{ name: '', geometry, matrix, look, sides: 'double', surface: {} }]),
-    dropped,
+    dropped: leftOut.names,
   };
 };
 

@@ -34,8 +34,8 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
       await slices.pause();
     }
   }
-  if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no triangles');
-  return { ...ownedModel(parts), dropped: await leftOut.names(bytes, slices) };
+  if (parts.length === 0) throw leftOut.error('it has no triangles');
+  return { ...ownedModel(parts), dropped: leftOut.names };
 };
 
 /** A body as it is read. */
@@ -228,31 +228,30 @@ class StlTextReader {
   readWord(): boolean {
     const scanner = this.#scanner;
     if (!scanner.nextWord()) return false;
-    const { at } = scanner;
     // The others are skipped unread: `normal` and its numbers, `outer`, `loop`.
     const isKeyword = KEYWORD_STARTS.includes(scanner.peek() | 32);
     switch (scanner.word(isKeyword ? 16 : 0).toLowerCase()) {
       case 'solid':
-        this.#endFacet(at);
+        this.#endFacet();
         this.#endSolid();
         this.#name = this.#readName();
         break;
       case 'endsolid':
-        this.#endFacet(at);
+        this.#endFacet();
         this.#readName();
         break;
       case 'facet':
-        this.#endFacet(at);
+        this.#endFacet();
         this.#corners = 0;
         this.#isSound = true;
         break;
       case 'vertex':
         if (this.#corners !== null) {
-          this.#vertex(at);
+          this.#vertex();
         }
         break;
       case 'endfacet':
-        this.#endFacet(at);
+        this.#endFacet();
         break;
     }
     return true;
@@ -264,10 +263,10 @@ class StlTextReader {
     return this.#solids;
   }
 
-  #vertex(at: number): void {
+  #vertex(): void {
     const scanner = this.#scanner;
     if (this.#corners === 3) {
-      this.#spoil('a facet has more than three vertices', at);
+      this.#spoil('a facet has more than three vertices');
     }
     if (!this.#isSound) return;
     requireAtMost(this.#total + 1, LIMITS.corners, 'triangle corners');
@@ -276,19 +275,19 @@ class StlTextReader {
     this.#corners = (this.#corners ?? 0) + 1;
     this.#total += 1;
     if (!this.#places.push(x, y, z)) {
-      this.#spoil(scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), at);
+      this.#spoil(scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z));
     }
   }
 
-  #spoil(why: string, at: number): void {
-    this.#leftOut.because('triangle', () => why, at);
+  #spoil(why: string): void {
+    this.#leftOut.because('triangle', () => why);
     this.#isSound = false;
   }
 
-  #endFacet(at: number): void {
+  #endFacet(): void {
     if (this.#corners === null) return;
     if (this.#isSound && this.#corners < 3) {
-      this.#spoil('a facet has fewer than three vertices', at);
+      this.#spoil('a facet has fewer than three vertices');
     }
     if (!this.#isSound) {
       this.#leftOut.add('triangle');

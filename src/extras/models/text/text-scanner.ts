@@ -2,7 +2,6 @@
 // Numbers are read exactly as `Number` reads them. Lines end with LF, CR LF or CR; a backslash at
 // the end of a line continues it.
 import { clip } from '../../../phong/fields/clip.js';
-import type { Slices } from '../slices.js';
 import { nameReadings } from './name-readings.js';
 
 const LF = 10;
@@ -361,17 +360,4 @@ const isBreak = (byte: number | undefined): boolean => byte === undefined || byt
 
 function digitOf(byte: number | undefined): number {
   return byte !== undefined && byte >= 48 && byte <= 57 ? byte - 48 : -1;
-}
-
-/** Which line a position is in, counted from 1. In slices: a file can have millions of lines. */
-export async function lineOf(bytes: Uint8Array, position: number, slices: Slices): Promise<number> {
-  let line = 1;
-  await slices.over(Math.min(position, bytes.length), (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) {
-        line += 1;
-      }
-    }
-  });
-  return line;
 }
