@@ -41,20 +41,17 @@ export function formatOf(
   if (byContent !== undefined) return FORMAT_NAMES[byContent];
   const byType = (written: string): FormatNames | undefined =>
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
-  const foreign = foreignContent(bytes, extension);
+  const foreign = FOREIGN.find(({ start }) => start.test(latin1(bytes, 64)));
+  if (foreign !== undefined) {
+    const fact = `It is ${foreign.what}, which cannot be shown: ${name}.`;
+    throw new ModelError('bad-model', fact, { advice: foreign.cure });
+  }
   const byHint =
     byType(type) ??
     FORMATS.find(({ extensions }) => extensions.includes(extension)) ??
     byType(mediaType);
-  if (foreign === undefined && byHint) return byHint;
-  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } =
-    foreign ?? foreignExtension(extension) ?? {};
-  if (what !== undefined) {
-    throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, {
-      advice: cure,
-    });
-  }
-  const advice = `These are: ${supportedFormats}.`;
+  if (byHint !== undefined) return byHint;
+  const advice = `Export it as one that is: ${supportedFormats}.`;
   throw new ModelError('bad-model', `The format is not supported: ${name}.`, { advice });
 }
 
@@ -65,11 +62,6 @@ export const supportedFormats = FORMATS.map(
 
 /** Extensions of files that can be shown, lower case. */
 export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
-
-const OTHERS = FORMATS.slice(1)
-  .map(({ name }) => name)
-  .join(', ')
-  .replace(/, (\w+)$/, ' or $1');
 
 /** A media type without its parameters, or a word, as in the table. */
 const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
@@ -96,46 +88,13 @@ function isObj(bytes: Uint8Array): boolean {
   return words.every(isKeyword) && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 
-/** A format that people bring and that cannot be read. */
-interface ForeignFormat {
-  /** For messages. */
-  readonly what: string;
-  /** What to do about it, as a sentence; by default it is to be exported in a supported format. */
-  readonly cure?: string;
-  /** Lower case, without the dot. */
-  readonly extensions: readonly string[];
-  /** A beginning that no other format has, as Latin-1. */
-  readonly start: RegExp;
-}
-
-const ARCHIVE: ForeignFormat = {
-  what: 'an archive',
-  cure: 'Unpack it, and use the model in it.',
-  extensions: ['zip'],
-  start: /^(PK\x03\x04|\x1f\x8b)/,
-};
-
-const FOREIGN: readonly ForeignFormat[] = [
-  { what: 'an FBX file', extensions: ['fbx'], start: /^(Kaydara FBX Binary|; FBX)/ },
-  { what: 'a Blender file (BLEND)', extensions: ['blend'], start: /^BLENDER/ },
-  { what: 'a USD file', extensions: ['usd', 'usda', 'usdc', 'usdz'], start: /^(#usda|PXR-USDC)/ },
-  { what: 'a COLLADA file (DAE)', extensions: ['dae'], start: /^(ï»¿)?\s*(<[^]*)?<COLLADA\b/ },
+/** What comes in place of a model, by a beginning that no model has, as Latin-1. */
+const FOREIGN = [
   // Many servers answer with a web page when a file is missing.
+  { what: 'a web page or XML, not a model', cure: 'Check the address.', start: /^(ï»¿)?\s*</ },
   {
-    what: 'a web page or XML, not a model',
-    cure: 'Check the address.',
-    extensions: [],
-    start: /^(ï»¿)?\s*</,
+    what: 'an archive',
+    cure: 'Unpack it, and use the model in it.',
+    start: /^(PK\x03\x04|\x1f\x8b)/,
   },
-  ARCHIVE,
-];
-
-function foreignContent(bytes: Uint8Array, extension: string): ForeignFormat | undefined {
-  const start = latin1(bytes, 2048);
-  const found = FOREIGN.find((format) => format.start.test(start));
-  // A USDZ file is an archive.
-  return found === ARCHIVE ? (foreignExtension(extension) ?? ARCHIVE) : found;
-}
-
-const foreignExtension = (extension: string): ForeignFormat | undefined =>
-  FOREIGN.find(({ extensions }) => extensions.includes(extension));
+] as const;

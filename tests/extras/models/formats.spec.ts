@@ -127,7 +127,10 @@ test('an OBJ file shows the coefficients of its MTL file, and its texture the ri
 });
 
 test('`type` names the format if nothing else does', async ({ mount, consoleGuard }) => {
-  consoleGuard.allow(/The format is not supported: the data: URI\. These are: glTF/, 1);
+  consoleGuard.allow(
+    /The format is not supported: the data: URI\. Export it as one that is: glTF/,
+    1,
+  );
   const text = 'unknown words\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3';
   const src = `data:text/plain,${encodeURIComponent(text)}`;
   const viewer = await mount(viewerOf(`src="${src}"`), size);
@@ -362,7 +365,7 @@ test.describe('a droppable viewer', () => {
       [
         ['beside/quad.bin'],
         ['chair.fbx'],
-        /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/,
+        /^The format is not supported: chair\.fbx\. Export it as one that is: glTF/,
       ],
     ] as const) {
       await filesIn(page, paths, names);
