@@ -241,6 +241,16 @@ describe('the geometry of an OBJ file', () => {
     expect(error.code).toBe('bad-model');
     expect(error.message).toMatch(message);
   });
+
+  it.each(['x', ' ', '\n'])(
+    'is refused with a line, word or gap of 4 MiB of %j',
+    async (character) => {
+      const long = character.repeat(2 ** 22 + 1);
+      for (const text of [`#${long}${QUAD}`, `usemtl ${long}${QUAD}`]) {
+        expect((await failureOf({ 'a.obj': text })).message).toMatch(/longer than 4 MiB/);
+      }
+    },
+  );
 });
 
 describe('the materials of an OBJ file', () => {

@@ -22,14 +22,11 @@ const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(ex
 const EXACT_DIGITS = 15;
 /** A token longer than this is no number: longer ones only cost time. */
 const NUMBER_LENGTH = 400;
-/** Most bytes that one call skips, so that no line, token or gap makes a long task. */
-const PIECE = 2 ** 14;
+/** Longest line, word or gap in bytes, 4 MiB: each is skipped in one task. */
+const LONGEST = 2 ** 22;
 
 /** Bytes of a word that is not worth a call of the decoder. */
 const SHORT = 32;
-
-/** What the next call goes on to skip, because it is longer than {@link PIECE}. */
-type Pending = 'nothing' | 'line' | 'blanks';
 
 export class TextScanner {
   readonly #bytes: Uint8Array;
@@ -37,7 +34,6 @@ export class TextScanner {
   at: number;
   /** A byte that ends a number as a blank does, and is none itself: it begins a comment. */
   readonly #comment: number;
-  #pending: Pending = 'nothing';
 
   /** @param comments whether `#` begins one, also directly behind a number, as in OBJ and MTL. */
   constructor(bytes: Uint8Array, at = 0, comments = false) {
@@ -49,51 +45,48 @@ export class TextScanner {
 
   /**
    * Goes to the first word of the next line that has one; false at the end. Comments may end with a
-   * backslash, so it does not continue a line here. A line or gap of over 16 KiB comes in pieces:
-   * all but the first are as empty lines.
+   * backslash, so it does not continue a line here.
+   * @throws Error for a line, word or gap that is too long, as all that skips them.
    */
   nextLine(): boolean {
-    if (this.#pending !== 'blanks') {
-      const end = this.#pieceEnd;
-      while (this.at < end && !isLineEnd(this.#bytes[this.at] ?? NOTHING)) {
-        this.at += 1;
-      }
-      this.#pending = this.#stoppedAt(end) ? 'line' : 'nothing';
-      if (this.#pending === 'line') return true;
-    }
+    this.#skipLine();
     return this.nextWord();
   }
 
   /** Goes to the next word, on this line or a later one. False at the end of the file. */
   nextWord(): boolean {
-    const end = this.#pieceEnd;
-    this.#pending = 'nothing';
+    const end = this.#farthest;
     for (;;) {
       this.#skipBlanks();
       if (this.at >= this.#bytes.length) return false;
-      if (this.at >= end) {
-        this.#pending = 'blanks';
-        return true;
-      }
-      if (!isLineEnd(this.#bytes[this.at] ?? NOTHING)) return true;
+      if (!isLineEnd(this.#bytes[this.at]!)) return true;
       this.at += 1;
+      this.#requireBefore(end);
     }
   }
 
-  get #pieceEnd(): number {
-    return Math.min(this.#bytes.length, this.at + PIECE);
+  get #farthest(): number {
+    return Math.min(this.#bytes.length, this.at + LONGEST);
   }
 
-  #stoppedAt(end: number): boolean {
-    return this.at >= end && end < this.#bytes.length;
+  #requireBefore(end: number): void {
+    if (this.at >= end && end < this.#bytes.length) {
+      throw new Error('a line, a word or a gap in it is longer than 4 MiB');
+    }
+  }
+
+  #skipLine(): void {
+    const bytes = this.#bytes;
+    const end = this.#farthest;
+    while (this.at < end && !isLineEnd(bytes[this.at]!)) {
+      this.at += 1;
+    }
+    this.#requireBefore(end);
   }
 
   /** Whether no word follows on this line. Skips the blanks before it. */
   atLineEnd(): boolean {
-    if (this.#pending === 'nothing') {
-      this.#skipBlanks();
-    }
-    if (this.#pending !== 'nothing') return true;
+    this.#skipBlanks();
     const byte = this.#bytes[this.at];
     return byte === undefined || isLineEnd(byte);
   }
@@ -124,12 +117,8 @@ export class TextScanner {
    */
   readings(most = 4096): readonly string[] {
     if (this.atLineEnd()) return [];
-    const bytes = this.#bytes;
     const start = this.at;
-    const end = this.#pieceEnd;
-    while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) {
-      this.at += 1;
-    }
+    this.#skipLine();
     return this.readingsFrom(start, most);
   }
 
@@ -196,7 +185,6 @@ export class TextScanner {
   problemOf(start: number, count: number): string | null {
     const { at } = this;
     this.at = start;
-    this.#pending = 'nothing';
     let problem: string | null = null;
     for (let i = 0; i < count && problem === null; i += 1) {
       const from = this.atLineEnd() ? NOTHING : this.at;
@@ -301,25 +289,20 @@ export class TextScanner {
 
   #skipToken(): void {
     const bytes = this.#bytes;
-    const end = this.#pieceEnd;
+    const end = this.#farthest;
     while (this.at < end && !isBreak(bytes[this.at])) {
       this.at += 1;
     }
-    if (this.#stoppedAt(end)) {
-      this.#pending = 'line';
-    }
+    this.#requireBefore(end);
   }
 
   #skipBlanks(): void {
     const bytes = this.#bytes;
-    const end = this.#pieceEnd;
+    const end = this.#farthest;
     for (;;) {
       const byte = bytes[this.at];
       if (byte === undefined) return;
-      if (this.at >= end) {
-        this.#pending = 'line';
-        return;
-      }
+      this.#requireBefore(end);
       if (byte === BACKSLASH) {
         const next = bytes[this.at + 1];
         if (next === LF) {
