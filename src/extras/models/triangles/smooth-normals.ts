@@ -14,12 +14,6 @@ import { free } from '../limits.js';
  * sides or more (36°) are round.
  */
 const CREASE_COSINE = /* @__PURE__ */ cosDegrees(40);
-/**
- * Faces that are less than half of that from their mean are all smoothed together. A little less,
- * for rounding.
- */
-const HALF_CREASE_COSINE = /* @__PURE__ */ cosDegrees(19.9);
-
 /** Cosine of 120°: a neighbour in a sheet that turns by up to 60° there is on its other side. */
 const TURNED_AWAY = -0.5;
 
@@ -148,33 +142,15 @@ class Fan {
   write(lists: CornerLists, smoothed: boolean): void {
     const first = lists.normals.length / 3;
     const sum = this.#sum;
-    let isOne = false;
     for (let i = 0; i < this.#count; i += 1) {
-      if (!isOne) {
-        if (smoothed) {
-          this.#smooth(i);
-        } else {
-          this.#takeOwn(i);
-        }
-        lists.pushNormal(sum.x, sum.y, sum.z);
+      if (smoothed) {
+        this.#smooth(i);
+      } else {
+        this.#takeOwn(i);
       }
-      lists.cornerNormals.array[this.#corners[i]!] = isOne ? first : mergedWithLast(lists, first);
-      if (i === 0) {
-        isOne = smoothed && this.#areOne();
-      }
+      lists.pushNormal(sum.x, sum.y, sum.z);
+      lists.cornerNormals.array[this.#corners[i]!] = mergedWithLast(lists, first);
     }
-  }
-
-  /** Whether the sum is that of all faces, for each of them: so it is around most vertices. */
-  #areOne(): boolean {
-    const { x, y, z } = this.#sum;
-    const least = HALF_CREASE_COSINE * Math.sqrt(x * x + y * y + z * z);
-    const group = this.#groups[0]!;
-    for (let i = 0; i < this.#count; i += 1) {
-      const along = x * this.#x[i]! + y * this.#y[i]! + z * this.#z[i]!;
-      if (!(along >= least) || this.#groups[i] !== group || group === FACETED) return false;
-    }
-    return least > 0;
   }
 
   #smooth(i: number): void {
