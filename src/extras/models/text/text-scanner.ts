@@ -101,9 +101,7 @@ export class TextScanner {
     if (this.atLineEnd()) return '';
     const start = this.at;
     this.#skipToken();
-    return this.at - start <= 2
-      ? shortWord(this.#bytes[start], this.#bytes[start + 1], this.at - start)
-      : this.#latin1From(start, most);
+    return this.#latin1From(start, most);
   }
 
   /** The likeliest of {@link readings}. */
@@ -319,22 +317,6 @@ export class TextScanner {
       }
     }
   }
-}
-
-/**
- * Most lines begin with a word of one or two letters. Decoding each would make as much garbage as
- * the file is long.
- */
-const shortWords = new Map<number, string>();
-
-function shortWord(first = 0, second = 0, length = 1): string {
-  const key = length === 1 ? first : 256 * second + first;
-  let word = shortWords.get(key);
-  if (word === undefined) {
-    word = length === 1 ? String.fromCharCode(first) : String.fromCharCode(first, second);
-    shortWords.set(key, word);
-  }
-  return word;
 }
 
 const isLineEnd = (byte: number): boolean => byte === LF || byte === CR;
