@@ -56,7 +56,6 @@ describe('other tasks can run while a file is read', () => {
     ['empty lines', obj(`${QUAD}${'\n'.repeat(MANY)}f 1 2 3 4`)],
     ['blanks in a line', obj(`${SOUND}f 1 2${' '.repeat(MANY)}3`)],
     ['a word', obj(`${SOUND}v ${'1'.repeat(MANY)} 2 3`)],
-    ['a polygon of OBJ', obj(`${QUAD}f ${'1 2 3 4 '.repeat(MANY / 8)}\n`)],
     ['statements of MTL', withMtl('newmtl m\n' + 'Kd 1 1 1\n'.repeat(MANY / 9))],
     ['a line of MTL', withMtl(`newmtl m\nmap_Kd ${'x'.repeat(MANY)}`)],
     ['MTL in UTF-16', withMtl(utf16)],

@@ -242,6 +242,12 @@ describe('the geometry of an OBJ file', () => {
     expect(error.message).toMatch(message);
   });
 
+  it('is refused with a face of more than 65,536 corners', async () => {
+    const face = (corners: number): string => `${QUAD}f${' 1 2 3 4'.repeat(corners / 4)}`;
+    expect((await obj(face(2 ** 16))).parts).toHaveLength(1);
+    expect(await failureOf({ 'a.obj': face(2 ** 16 + 4) })).toMatchObject({ code: 'too-large' });
+  });
+
   it.each(['x', ' ', '\n'])(
     'is refused with a line, word or gap of 4 MiB of %j',
     async (character) => {

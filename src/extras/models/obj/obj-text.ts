@@ -44,8 +44,8 @@ type LibraryPaths = readonly [string, ...string[]];
 const RUN_LIMIT = 2 ** 17;
 /** Material libraries that are read. Files have one, seldom two. */
 const LIBRARY_LIMIT = 16;
-/** Most corners of a face that are read at once. */
-const CORNERS_AT_ONCE = 1024;
+/** Most corners of a face, which are read in one task: 3 ms. */
+const CORNER_LIMIT = 2 ** 16;
 
 const SLASH = 47;
 const HASH = 35;
@@ -57,7 +57,7 @@ export async function readObjText(
   slices: Slices,
 ): Promise<ObjText> {
   const reader = new ObjReader(bytes, leftOut);
-  while (reader.readPiece()) {
+  while (reader.readLine()) {
     if (slices.took(reader.work)) {
       await slices.pause();
     }
@@ -77,9 +77,7 @@ class ObjReader {
   readonly #libraries: LibraryPaths[] = [];
   readonly #materials = new Set<string>();
   #begun = false;
-  /** Whether the line is a face with more corners to come. */
-  #inFace = false;
-  /** What the last piece took, as {@link Slices.took} counts it. */
+  /** What the last line took, as {@link Slices.took} counts it. */
   work = 0;
   /**
    * Names in force, or where they are: those without a face are not read. Millions of strings stop
@@ -97,23 +95,16 @@ class ObjReader {
     this.#leftOut = leftOut;
   }
 
-  /** Reads a line, or a part of a long one. False at the end. */
-  readPiece(): boolean {
+  /** False at the end. */
+  readLine(): boolean {
     const { at } = this.#scanner;
     const { steps } = this.#polygons;
-    const more = this.#inFace || this.#nextLine();
-    if (this.#inFace) {
-      this.#corners();
-    } else if (more) {
+    const more = this.#begun ? this.#scanner.nextLine() : this.#scanner.nextWord();
+    this.#begun = true;
+    if (more) {
       this.#statement();
     }
     this.work = (this.#scanner.at - at) / 8 + (this.#polygons.steps - steps) / 16;
-    return more;
-  }
-
-  #nextLine(): boolean {
-    const more = this.#begun ? this.#scanner.nextLine() : this.#scanner.nextWord();
-    this.#begun = true;
     return more;
   }
 
@@ -134,7 +125,6 @@ class ObjReader {
       case 'f':
       case 'fo': // an older spelling
         this.#polygons.begin(this.#smoothing);
-        this.#inFace = true;
         this.#corners();
         break;
       case 'o':
@@ -210,14 +200,13 @@ class ObjReader {
     uvs.push(Number.isFinite(v) ? 1 - v : 1);
   }
 
-  /** The next corners of a face, and its triangles after the last. */
+  /** The corners of a face, and its triangles after the last. */
   #corners(): void {
     const scanner = this.#scanner;
     for (let i = 0; !scanner.atLineEnd() && scanner.peek() !== HASH; i += 1) {
-      if (i === CORNERS_AT_ONCE) return;
+      requireAtMost(i + 1, CORNER_LIMIT, 'corners in one face');
       this.#corner();
     }
-    this.#inFace = false;
     this.#polygons.end();
   }
 
