@@ -162,3 +162,12 @@ test('the first screen fits: picture, markup and sum are within 720 pixels, and 
     expect(await jumpsOf(page)).toBeLessThan(0.01);
   }
 });
+
+test('the squares keep their colours where the user forces others', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await open(page);
+  const swatch = page.locator('#sum .swatch').first();
+  await expect(swatch).not.toHaveCSS('background-color', 'rgb(255, 255, 255)');
+  const line = page.getByRole('link', { name: 'Guide' }).first();
+  await expect(line).toHaveCSS('border-bottom-color', 'rgb(255, 255, 255)');
+});
