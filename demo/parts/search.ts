@@ -9,7 +9,10 @@ export function connectSearch(field: HTMLInputElement, list: HTMLElement, root: 
   let index: Promise<MiniSearch<SearchEntry> | null> | undefined;
   const show = async (): Promise<void> => {
     const words = field.value.trim();
-    const found = words === '' ? [] : ((await (index ??= load(root)))?.search(words) ?? null);
+    const found =
+      words === ''
+        ? []
+        : ((await (index ??= load(root)))?.search(words, { filter: isReadHere }) ?? null);
     // Typed on, while the index came.
     if (words !== field.value.trim()) return;
     list.replaceChildren(
@@ -55,6 +58,12 @@ export function connectSearch(field: HTMLInputElement, list: HTMLElement, root: 
     }
   });
   list.addEventListener('click', close);
+}
+
+/** Not the lesson in a language that is neither this page's nor English. */
+function isReadHere({ id }: { readonly id: unknown }): boolean {
+  const language = /^lesson\/(\w+)\//.exec(String(id))?.[1];
+  return language === undefined || language === document.documentElement.lang;
 }
 
 /** Null where it cannot be fetched; the next page tries again. */
