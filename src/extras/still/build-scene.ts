@@ -148,22 +148,23 @@ async function objectOf(
   const mesh = meshShape(geometry, look);
   // A view of one term is without emissive and unlit colours.
   const isTerm = termOf(viewer.view) !== null;
+  const { unlit, metalness, normalScale, opacity, alphaMode, alphaCutoff } = look;
   const material: CastMaterial = {
     ...surface,
     ...mesh.textures,
     shading,
     reflection: own.reflection ?? viewer.reflection,
     single: sides === 'single',
-    baseColor: isTerm && look.unlit ? ZERO : look.baseColor,
+    baseColor: isTerm && unlit ? ZERO : look.baseColor,
     emissive: isTerm ? ZERO : look.emissive,
-    unlit: look.unlit,
-    metalness: look.metalness,
+    unlit,
+    metalness,
     lobeScale: look.roughness === null ? 1 : lobeScale(surface.shininess),
     ...(look.roughness !== null && { roughness: look.roughness }),
-    normalScale: look.normalScale,
-    opacity: look.opacity,
-    alphaMode: look.alphaMode,
-    alphaCutoff: look.alphaCutoff,
+    normalScale,
+    opacity,
+    alphaMode,
+    alphaCutoff,
   };
   return { shape: shape ?? mesh.shape, matrix, material };
 }

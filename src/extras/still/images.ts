@@ -1,4 +1,5 @@
 // PNG and JPEG images by plain JavaScript; other formats are refused by name.
+import { Unzlib } from 'fflate';
 import type { FileBytes } from '../models/model-reader.js';
 import { LIMITS } from '../../phong/model/limits.js';
 import { ModelError } from '../../phong/model/model.js';
@@ -27,8 +28,40 @@ async function decodePng(bytes: Uint8Array): Promise<Decoded> {
     throw new ModelError('bad-model', 'A still reads images in PNG and JPEG, not in WebP.');
   }
   const { PNG } = await import('pngjs');
-  return PNG.sync.read(Buffer.from(bytes));
+  return PNG.sync.read(Buffer.from(wholePng(bytes)));
 }
+
+/** Bytes that are unpacked at a time: to 16 MB at most. */
+const SLICE = 2 ** 14;
+
+/**
+ * The file up to its end. Refuses one that has less or more data than its header says: pngjs shows
+ * memory of the process in place of what is missing, and unpacks all of an interlaced image, 1,000
+ * times the file's size.
+ */
+function wholePng(bytes: Uint8Array): Uint8Array {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const samples = [1, 0, 3, 1, 2, 0, 4][bytes[25]!]!; // by colour type
+  const row = 1 + Math.ceil((view.getUint32(16) * samples * bytes[24]!) / 8);
+  const least = row * view.getUint32(20);
+  const most = 2 * least + 64; // the rows of an interlaced image are up to twice as many
+  let unpacked = 0;
+  const unzip = new Unzlib((part) => (unpacked += part.length));
+  let end = 8;
+  for (let type = 0; type !== IEND && end + 12 <= bytes.length; end += 4) {
+    let at = end + 8;
+    type = view.getUint32(end + 4);
+    end = at + view.getUint32(end);
+    for (; type === IDAT && at < end && unpacked <= most; at += SLICE) {
+      unzip.push(bytes.subarray(at, Math.min(end, at + SLICE)));
+    }
+  }
+  if (!(unpacked >= least && unpacked <= most)) throw new Error('is damaged');
+  return bytes.subarray(0, end);
+}
+
+const IEND = 0x49454e44;
+const IDAT = 0x49444154;
 
 async function decodeJpeg(bytes: Uint8Array): Promise<Decoded> {
   const { default: jpeg } = await import('jpeg-js');

@@ -68,10 +68,7 @@ export class LightCells<L extends Cone> {
         const near = lights.filter((light) => reaches(light, [x, y, z], half * CORNER));
         this.#left -= Math.max(0, 2 * near.length - lights.length);
         this.#made += lights.length;
-        cell.eighths[eighth] = {
-          lights: near.length < lights.length ? near : lights,
-          eighths: [],
-        };
+        cell.eighths[eighth] = { lights: near, eighths: [] };
       }
       cell = cell.eighths[eighth]!;
     }

@@ -178,16 +178,8 @@ function meanOf(
   return isOne;
 }
 
-type Offsets = readonly ReturnType<typeof centredOffset>[];
+/** By count, from a pixel's centre. */
+const offsets: ReturnType<typeof centredOffset>[][] = [];
 
-const offsets = new Map<number, Offsets>();
-
-/** From a pixel's centre. */
-function offsetsOf(count: number): Offsets {
-  let found = offsets.get(count);
-  if (found === undefined) {
-    found = Array.from({ length: count }, (_, i) => centredOffset(i, count));
-    offsets.set(count, found);
-  }
-  return found;
-}
+const offsetsOf = (count: number) =>
+  (offsets[count] ??= Array.from({ length: count }, (_, i) => centredOffset(i, count)));

@@ -121,9 +121,8 @@ export const turned = ({ x, y, z }: Vec3Matrix, v: Vec3): Vec3 => [
 /** The unit vector, times `side`. Zero stays zero. */
 export function unit(v: Vec3, side = 1): Vec3 {
   // Components up to 1e24 and down to 1e-60: the squares neither overflow nor vanish.
-  const far = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  const factor = far > 0 ? side / far : 0;
-  return [v[0] * factor, v[1] * factor, v[2] * factor];
+  const far = Math.sqrt(dot(v, v));
+  return scale(v, far > 0 ? side / far : 0);
 }
 
 export function columnsOf(m: ArrayLike<number> = IDENTITY): Vec3Matrix {

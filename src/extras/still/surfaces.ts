@@ -107,8 +107,8 @@ export class ObjectSurface {
     }
   }
 
-  /** Writes the unit normal on the side that is seen to the hit; zero where there is none. */
-  turn(hit: Hit): void {
+  /** Writes the unit normal to the hit, on the side that is seen or outward; zero for none. */
+  turn(hit: Hit, isOutward = hit.front): void {
     const { shading, normalTexture, normalScale = 1 } = this.object.material;
     const { placed } = this;
     let normal: Vec3;
@@ -128,7 +128,7 @@ export class ObjectSurface {
         normal = add(scale(add(scale(x, tilt[0]), y), normalScale), scale(z, tilt[2]));
       }
     }
-    hit.normal = unit(normal, hit.front ? 1 : -1);
+    hit.normal = unit(normal, isOutward ? 1 : -1);
   }
 
   #mixed(values: Float64Array, hit: Hit): Vec3 {

@@ -52,9 +52,9 @@ export class Tracer {
   /** By thing, {@link STRIDE} numbers of a triangle. */
   readonly #volumes: Float64Array;
   /** By object: its light sums at each vertex, from the front and from behind. */
-  readonly #vertexSums = new Map<number, Float64Array>();
-  /** Place of each object in the order in which blended ones are drawn: the farthest first. */
-  readonly #ranks: readonly number[];
+  readonly #vertexSums: Float64Array[] = [];
+  /** By object: how far it is. */
+  readonly #depths: readonly number[];
   /** The direction of the last ray. */
   #d: Vec3 = [0, 0, 0];
   #hit = new Hit();
@@ -70,9 +70,7 @@ export class Tracer {
     this.#scene = scene;
     this.screen = new Screen(camera, width, height);
     const { eye, back } = camera;
-    const depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
-    const order = depths.map((_, i) => i).sort((i, j) => depths[j]! - depths[i]! || i - j);
-    this.#ranks = depths.map((_, i) => order.indexOf(i));
+    this.#depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
     const most = objects.reduce((sum, { shape }) => sum + countOf(shape), 0);
     this.#lists = new PixelLists(this.screen, most);
     this.#objects = new Int32Array(most);
@@ -201,10 +199,7 @@ export class Tracer {
   hitAt(x: number, y: number): Readonly<Hit> {
     const hit = this.#trace(x, y);
     if (hit.t < Infinity) {
-      const { front } = hit;
-      hit.front = true;
-      this.#surfaces[hit.object]!.turn(hit);
-      hit.front = front;
+      this.#surfaces[hit.object]!.turn(hit, true);
     }
     return hit;
   }
@@ -266,13 +261,13 @@ export class Tracer {
       this.#lay(hit, sample);
     }
     if (this.#layers.length === 0) return;
-    // As they are drawn: object by object, triangle by triangle, each with the depth test.
-    const rank = ({ object }: Hit): number => this.#ranks[object]!;
-    this.#layers.sort((a, b) => rank(a) - rank(b) || a.triangle - b.triangle);
-    let depth = hit.t;
+    // As they are drawn: the farthest object first, triangle by triangle, each with the depth test.
+    const depth = ({ object }: Hit): number => this.#depths[object]!;
+    this.#layers.sort((a, b) => depth(b) - depth(a) || a.thing - b.thing);
+    let nearest = hit.t;
     for (const layer of this.#layers) {
-      if (!(layer.t <= depth)) continue;
-      depth = layer.t;
+      if (!(layer.t <= nearest)) continue;
+      nearest = layer.t;
       this.#lay(layer, sample);
     }
   }
@@ -340,11 +335,7 @@ export class Tracer {
 
   /** Gouraud: the corners' sums, interpolated. */
   #mixedSums(hit: Hit, surface: ObjectSurface): Float64Array {
-    let all = this.#vertexSums.get(hit.object);
-    if (all === undefined) {
-      all = this.#sumsOf(surface);
-      this.#vertexSums.set(hit.object, all);
-    }
+    const all = (this.#vertexSums[hit.object] ??= this.#sumsOf(surface));
     const first = hit.front ? 0 : 9;
     for (let i = 0; i < 9; i++) {
       mixed[i] = surface.mix(all, 18, first + i, hit);

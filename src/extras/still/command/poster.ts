@@ -24,23 +24,25 @@ export interface PosterSource {
 /** Names the chunk that says how the picture was made. */
 const KEYWORD = 'phong-viewer still';
 
-interface Stamp {
-  readonly version: string;
-  /** Its SHA-256. */
-  readonly markup: string;
-  readonly width: number;
-  readonly height: number;
-  readonly background: PosterSource['background'];
+/** What a poster was made from, but for files. The markup by its SHA-256. */
+const sourceOf = ({ markup, size, background, version }: PosterSource) => ({
+  version,
+  markup: hashOf(markup),
+  size,
+  background,
+});
+
+type Stamp = Readonly<Record<string, unknown>> & {
   /** SHA-256 of the files that were read from disk, by their addresses relative to the base. */
-  readonly files: Readonly<Record<string, string>>;
-}
+  readonly files?: Readonly<Record<string, string>>;
+};
 
 /** Draws the poster. */
 export async function drawPoster(
   source: PosterSource,
   warn: (message: string) => void,
 ): Promise<Uint8Array> {
-  const { markup, size, background, base, version } = source;
+  const { markup, size, background, base } = source;
   const files: Record<string, string> = {};
   const { png } = await still(markup, {
     ...size,
@@ -53,34 +55,32 @@ export async function drawPoster(
       }
     },
   });
-  const stamp: Stamp = { version, markup: hashOf(markup), ...size, background, files };
-  return withText(png, KEYWORD, JSON.stringify(stamp));
+  return withText(png, KEYWORD, JSON.stringify({ ...sourceOf(source), files }));
 }
 
 /** Why a file is not the poster of this source any more; null if it is. */
 export async function staleness(png: Uint8Array, source: PosterSource): Promise<string | null> {
   const stamp = await stampOf(png);
-  const { markup, size, background, base, version } = source;
   if (stamp === null) return 'was not made by this command';
-  if (stamp.version !== version) return `was made by version ${String(stamp.version)}`;
-  if (stamp.markup !== hashOf(markup)) return 'shows other markup';
-  if (stamp.width !== size.width || stamp.height !== size.height) return 'has another size';
-  if (JSON.stringify(stamp.background) !== JSON.stringify(background)) {
-    return 'has another background';
-  }
-  const changed = Object.entries(stamp.files ?? {}).find(
-    ([name, hash]) => hashOfFile(name, base) !== hash,
+  const own = Object.entries(sourceOf(source)).find(
+    ([key, value]) => JSON.stringify(stamp[key]) !== JSON.stringify(value),
   );
-  return changed === undefined ? null : `shows another ${changed[0]}`;
+  const [changed] =
+    own ??
+    Object.entries(stamp.files ?? {}).find(
+      ([name, hash]) => hashOfFile(name, source.base) !== hash,
+    ) ??
+    [];
+  return changed === undefined ? null : `is of another ${changed}`;
 }
 
 /** Whether the command has made this file: no other is written over. */
 export const isPoster = async (png: Uint8Array): Promise<boolean> => (await stampOf(png)) !== null;
 
 /** It may be a stranger's: its values can be anything. */
-async function stampOf(png: Uint8Array): Promise<Partial<Stamp> | null> {
+async function stampOf(png: Uint8Array): Promise<Stamp | null> {
   try {
-    const stamp = JSON.parse(await textIn(png, KEYWORD)) as Partial<Stamp> | null;
+    const stamp = JSON.parse(await textIn(png, KEYWORD)) as Stamp | null;
     return typeof stamp === 'object' ? stamp : null;
   } catch (error) {
     if (error instanceof PngTextError || error instanceof SyntaxError) return null;
