@@ -197,11 +197,14 @@ test('several on a page, by keyboard, under a strict policy, in Portuguese, on a
 });
 
 test('on paper the function is all there', async ({ mount, page }) => {
-  await mount(lamp + exercise('', NO_CLAMP), { css });
-  await expect(textArea(page)).toBeVisible();
+  await page.setViewportSize({ width: 390, height: 800 });
+  await mount(lamp + exercise('solution', RIGHT), { css });
+  await runFirst(page);
   await page.emulateMedia({ media: 'print' });
   await expect(page.locator('.printed')).toBeVisible();
-  await expect(page.locator('.printed')).toHaveText(NO_CLAMP);
+  await expect(page.locator('.printed')).toHaveText(RIGHT);
+  const solution = page.locator('details[open] pre');
+  expect(await solution.evaluate((pre) => pre.scrollWidth - pre.clientWidth)).toBe(0);
   await expect(page.getByRole('button', { name: 'Run' })).toBeHidden();
 });
 
