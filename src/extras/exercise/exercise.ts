@@ -37,6 +37,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   constructor(element: HTMLElement) {
     super(element, EXERCISE_FIELDS, [ExtraElement.block, styles]);
+    this.internals.role = 'group';
   }
 
   protected override declared(): void {
@@ -180,6 +181,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const { value } = this;
     const isMissing = this.values.required && (this.#written ?? '').trim() === '';
     render(this.#template(value), this.root);
+    // One of several on a page; the author's label comes first.
+    this.internals.ariaLabel = this.#viewer?.alt ?? null;
     const area = this.root.querySelector('textarea')!;
     this.internals.setFormValue(value, this.#written ?? '');
     this.internals.setValidity(

@@ -2,6 +2,7 @@
 // languages, strict policy, and what happens to a context that is lost?
 
 import type { Locator, Page } from '@playwright/test';
+import { accessibleNodes } from '../../a11y/tree.js';
 import { axeOn } from '../../support/axe.js';
 import { patch } from '../../support/gltf.js';
 import { readyTexts } from '../../support/texts.js';
@@ -181,6 +182,9 @@ test('several on a page, by keyboard, under a strict policy, in Portuguese, on a
   );
   const boxes = page.getByRole('textbox', { name: 'Sua função' });
   await expect(boxes).toHaveCount(2);
+  // A screen reader tells exercises apart by their viewers.
+  const groups = (await accessibleNodes(page)).filter(({ role }) => role === 'group');
+  expect(groups.filter(({ name }) => name === 'A torus under a lamp')).toHaveLength(2);
   await boxes.first().focus();
   await page.keyboard.press('Control+End');
   await page.keyboard.press('Control+Enter');
