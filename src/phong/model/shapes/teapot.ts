@@ -41,7 +41,7 @@ export function teapot(segments: number, isLevel: boolean): BufferGeometry {
 
 function patchGrid(patch: number, rows: number, columns: number): Grid {
   const samples = samplesOf(patch);
-  const [down, across] = [basesOf(rows), basesOf(columns)];
+  const [down, across] = [weightsOf(rows), weightsOf(columns)];
   const closedFirst = isClosed(patch);
   return {
     columns,
@@ -49,28 +49,18 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
     corners: [0, 1, 3, 0, 3, 2],
     closedFirst,
     row: (row, into, first) => {
-      const s = down[row]!;
       // The row is a cubic, and so is the way in which it changes: four points of each, x y z.
-      const points = new Float64Array(3 * SAMPLES).map((_, k) =>
-        mix(s.value, samples, k, 3 * SAMPLES),
-      );
-      const slopes = new Float64Array(3 * SAMPLES).map((_, k) =>
-        mix(s.slope, samples, k, 3 * SAMPLES),
-      );
+      blend(down, 2 * row, samples, points);
+      blend(down, 2 * row + 1, samples, slopes);
       for (let column = 0; column <= columns; column++) {
-        const t = across[closedFirst && row === 0 ? 0 : column]!;
-        const ax = mix(t.value, slopes, 0, 3);
-        const ay = mix(t.value, slopes, 1, 3);
-        const az = mix(t.value, slopes, 2, 3);
-        const bx = mix(t.slope, points, 0, 3);
-        const by = mix(t.slope, points, 1, 3);
-        const bz = mix(t.slope, points, 2, 3);
-        const x = mix(t.value, points, 0, 3);
-        const y = mix(t.value, points, 1, 3);
-        const z = mix(t.value, points, 2, 3);
-        let nx = by * az - bz * ay;
-        let ny = bz * ax - bx * az;
-        let nz = bx * ay - by * ax;
+        const t = closedFirst && row === 0 ? 0 : 2 * column;
+        blend(across, t, points, place);
+        blend(across, t, slopes, along);
+        blend(across, t + 1, points, beside);
+        const y = place[1]!;
+        let nx = beside[1]! * along[2]! - beside[2]! * along[1]!;
+        let ny = beside[2]! * along[0]! - beside[0]! * along[2]!;
+        let nz = beside[0]! * along[1]! - beside[1]! * along[0]!;
         const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
         if (length > NO_NORMAL) {
           nx /= length;
@@ -81,30 +71,47 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
         }
         const u = 1 - column / columns;
         const v = 1 - row / rows;
-        put(into, first + column, (x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
+        const x = (place[0]! - CENTER) / EXTENT;
+        put(into, first + column, x, y / EXTENT, place[2]! / EXTENT, nx, ny, nz, u, v);
       }
     },
   };
 }
 
-/**
- * Four values `step` apart, summed from both ends: what two patches share is the same number from
- * either side.
- */
-function mix(weights: Weights, values: ArrayLike<number>, first: number, step: number): number {
-  const ends = weights[0] * values[first]! + weights[3] * values[first + 3 * step]!;
-  return ends + (weights[1] * values[first + step]! + weights[2] * values[first + 2 * step]!);
-}
-
 /** Vertices along the side of a patch that determine it: it is bicubic. */
 const SAMPLES = 4;
 
-let coarse: Float32Array | null = null;
+/** Of the row that is written. */
+const points = new Float64Array(3 * SAMPLES);
+const slopes = new Float64Array(3 * SAMPLES);
+/** Of the vertex. */
+const place = new Float64Array(3);
+const along = new Float64Array(3);
+const beside = new Float64Array(3);
+
+/**
+ * Writes a mean of the four quarters of `values`, by the weights number `t`. It is summed from both
+ * ends: what two patches share is the same number from either side.
+ */
+function blend(weights: Float64Array, t: number, values: Float64Array, mean: Float64Array): void {
+  const w = SAMPLES * t;
+  const step = mean.length;
+  const a = weights[w]!;
+  const b = weights[w + 1]!;
+  const c = weights[w + 2]!;
+  const d = weights[w + 3]!;
+  for (let k = 0; k < step; k++) {
+    const ends = a * values[k]! + d * values[k + 3 * step]!;
+    mean[k] = ends + (b * values[k + step]! + c * values[k + 2 * step]!);
+  }
+}
+
+let coarse: Float64Array | null = null;
 
 /** The coarse teapot's vertices of a patch. three.js does not give its control points away. */
-function samplesOf(patch: number): Float32Array {
+function samplesOf(patch: number): Float64Array {
   coarse ??= welded(
-    new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array as Float32Array,
+    Float64Array.from(new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array),
   );
   const size = 3 * SAMPLES * SAMPLES;
   return coarse.subarray(size * patch, size * (patch + 1));
@@ -113,50 +120,51 @@ function samplesOf(patch: number): Float32Array {
 /** Equal points differ by roundings where patches meet, by up to 5e-7; others are 1e-2 apart. */
 const SAME_POINT = 1e-5;
 
-function welded(points: Float32Array): Float32Array {
-  for (let i = 0; i < points.length; i += 3) {
+function welded(values: Float64Array): Float64Array {
+  for (let i = 0; i < values.length; i += 3) {
     for (let j = 0; j < i; j += 3) {
-      const apart = (axis: number): number => Math.abs(points[i + axis]! - points[j + axis]!);
-      if (Math.max(apart(0), apart(1), apart(2)) > SAME_POINT) continue;
-      points.copyWithin(i, j, j + 3);
+      // Nearly all points differ in the first coordinate.
+      if (
+        Math.abs(values[i]! - values[j]!) > SAME_POINT ||
+        Math.abs(values[i + 1]! - values[j + 1]!) > SAME_POINT ||
+        Math.abs(values[i + 2]! - values[j + 2]!) > SAME_POINT
+      ) {
+        continue;
+      }
+      values.copyWithin(i, j, j + 3);
       break;
     }
   }
-  return points;
+  return values;
 }
 
-type Weights = readonly [number, number, number, number];
-
-interface Basis {
-  /** How much each sample counts. */
-  readonly value: Weights;
-  /** How fast that changes. */
-  readonly slope: Weights;
+/**
+ * Weights of the samples for each division of a patch's side: first how much each counts, then how
+ * fast that changes. The second half is the first one's mirror image, exactly.
+ */
+function weightsOf(divisions: number): Float64Array {
+  const weights = new Float64Array(2 * SAMPLES * (divisions + 1));
+  for (let i = 0; 2 * i <= divisions; i++) {
+    const [values, rates] = basisAt(i / divisions);
+    const mirrored = [...rates.map((rate) => -rate), ...values].reverse();
+    weights.set(mirrored, 2 * SAMPLES * (divisions - i));
+    weights.set([...values, ...rates], 2 * SAMPLES * i);
+  }
+  return weights;
 }
 
-/** From t = 0 to 1. The second half is the first one's mirror image, exactly. */
-const basesOf = (divisions: number): Basis[] =>
-  Array.from({ length: divisions + 1 }, (_, i) =>
-    2 * i <= divisions ? basisAt(i / divisions) : mirrored(basisAt((divisions - i) / divisions)),
-  );
-
-function mirrored({ value: [a, b, c, d], slope: [e, f, g, h] }: Basis): Basis {
-  return { value: [d, c, b, a], slope: [-h, -g, -f, -e] };
-}
-
-/** Lagrange's polynomials for samples at 0, 1/3, 2/3 and 1. */
-function basisAt(t: number): Basis {
+/** Lagrange's polynomials for samples at 0, 1/3, 2/3 and 1, and their derivatives. */
+function basisAt(t: number): readonly [number[], number[]] {
   const [a, b, c, d] = [t, t - 1 / 3, t - 2 / 3, t - 1];
-  return {
-    value:
-      t === 0
-        ? [1, 0, 0, 0]
-        : [-4.5 * b * c * d, 13.5 * a * c * d, -13.5 * a * b * d, 4.5 * a * b * c],
-    slope: [
+  return [
+    t === 0
+      ? [1, 0, 0, 0]
+      : [-4.5 * b * c * d, 13.5 * a * c * d, -13.5 * a * b * d, 4.5 * a * b * c],
+    [
       -4.5 * (c * d + b * d + b * c),
       13.5 * (c * d + a * d + a * c),
       -13.5 * (b * d + a * d + a * b),
       4.5 * (b * c + a * c + a * b),
     ],
-  };
+  ];
 }
