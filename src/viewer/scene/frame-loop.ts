@@ -43,13 +43,9 @@ export class FrameLoop {
   readonly #run = (now: number): void => {
     this.#pending = 0;
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
-    this.#each((viewport) => viewport.prepare());
-    this.#each((viewport) => {
-      if (viewport.advance(now)) {
-        this.request(viewport);
-      }
-    });
-    this.#each((viewport) => viewport.draw());
+    this.#each('prepare');
+    this.#each('advance', now);
+    this.#each('draw');
     this.#running.clear();
   };
 
@@ -63,15 +59,17 @@ export class FrameLoop {
       this.cancel(viewport);
       this.#running.add(viewport);
     }
-    this.#each((viewport) => viewport.draw());
+    this.#each('draw');
     this.#running.clear();
   }
 
   /** One broken picture must not stop the others of the page. */
-  #each(action: (viewport: FrameUser) => void): void {
+  #each(phase: 'prepare' | 'advance' | 'draw', now = 0): void {
     for (const viewport of this.#running) {
       try {
-        action(viewport);
+        if (viewport[phase](now) === true) {
+          this.request(viewport);
+        }
       } catch (error) {
         reportError(error);
       }

@@ -32,23 +32,17 @@ export class PageObservers {
 
   constructor(view: PageWindow) {
     this.view = view;
-    const intersection = (
-      report: (watcher: Watcher, entry: IntersectionObserverEntry) => void,
-      init: IntersectionObserverInit,
-    ): IntersectionObserver =>
+    const intersection = (report: 'intersected' | 'neared', init: IntersectionObserverInit) =>
       new view.IntersectionObserver((entries) => {
         for (const entry of entries) {
-          const watcher = this.#watched.get(entry.target);
-          if (watcher !== undefined) {
-            report(watcher, entry);
-          }
+          this.#watched.get(entry.target)?.[report](entry);
         }
       }, init);
     this.#intersection = [
       // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the
       // second threshold detects that.
-      intersection((watcher, entry) => watcher.intersected(entry), { threshold: [0, 1e-6] }),
-      intersection((watcher, entry) => watcher.neared(entry), this.#surroundings),
+      intersection('intersected', { threshold: [0, 1e-6] }),
+      intersection('neared', this.#surroundings),
     ];
     this.#resize = new view.ResizeObserver((entries) => {
       for (const entry of entries) {
@@ -120,15 +114,11 @@ export class PageObservers {
   #listen(): void {
     const { view } = this;
     const { signal } = (this.#listeners = new AbortController());
-    view.document.addEventListener(
-      'visibilitychange',
-      () => this.#each((watcher) => watcher.shown()),
-      { signal },
-    );
+    view.document.addEventListener('visibilitychange', () => this.#each('shown'), { signal });
     view.addEventListener('beforeprint', this.#printed, { signal });
     // Not for the window that runs this code: nothing is left to clean up when it closes.
     if (view !== window) {
-      view.addEventListener('pagehide', () => this.#each((watcher) => watcher.closed()), {
+      view.addEventListener('pagehide', () => this.#each('closed'), {
         signal,
       });
     }
@@ -143,22 +133,21 @@ export class PageObservers {
     const query = this.view.matchMedia(`(resolution: ${String(this.view.devicePixelRatio)}dppx)`);
     const changed = (): void => {
       this.#watchRatio(signal);
-      this.#each((watcher) => watcher.scaled());
+      this.#each('scaled');
     };
     query.addEventListener('change', changed, { once: true, signal });
   }
 
   readonly #printed = (): void => {
-    const deadline = performance.now() + PRINT_MS;
-    this.#each((watcher) => watcher.printed(deadline));
+    this.#each('printed', performance.now() + PRINT_MS);
   };
 
   /** One broken viewer, as with objects of the page's own, must not stop the others. */
-  #each(action: (watcher: Watcher) => void): void {
+  #each(report: 'shown' | 'scaled' | 'closed' | 'printed', deadline = 0): void {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) {
       try {
-        action(watcher);
+        watcher[report](deadline);
       } catch (error) {
         reportError(error);
       }

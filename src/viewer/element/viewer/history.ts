@@ -18,6 +18,7 @@ interface Undoable<S> {
 /** What an edit changes: the declared values of an element, or what else can be put back. */
 export type Subject = PhongLight | PhongMesh | PhongViewer | Undoable<unknown>;
 
+/** One that is undone leads from `after` to `before`: its two values have changed places. */
 interface Step {
   readonly subject: Undoable<unknown>;
   readonly before: unknown;
@@ -92,9 +93,7 @@ class History {
   }
 
   undo(): boolean {
-    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) =>
-      subject.restore(after, before),
-    );
+    return this.#shift(this.#done, this.#undone);
   }
 
   /** Takes back the last step if it is of this gesture. */
@@ -105,9 +104,7 @@ class History {
   }
 
   redo(): boolean {
-    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) =>
-      subject.restore(before, after),
-    );
+    return this.#shift(this.#undone, this.#done);
   }
 
   /** What a press of a key means: Ctrl or Cmd with Z, Shift + Z, and Y. Null for other keys. */
@@ -139,12 +136,13 @@ class History {
     this.#notify();
   }
 
-  #shift(from: Step[], to: Step[], restore: (step: Step) => void): boolean {
+  #shift(from: Step[], to: Step[]): boolean {
     const step = from.pop();
     this.#open = false;
     if (step === undefined) return false;
-    to.push(step);
-    restore(step);
+    const { subject, before, after } = step;
+    to.push({ ...step, before: after, after: before });
+    subject.restore(after, before);
     this.#notify();
     return true;
   }

@@ -205,8 +205,8 @@ class Stage {
   capture({ width, height }: Size, render: DrawPart): HTMLCanvasElement {
     const target = this.newTarget({ width, height });
     try {
-      const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
-      this.#drawTiles(this.open(firstTile), target, render);
+      const renderer = this.open(tilesOf({ width, height }, Infinity, SAFE_SIDE)[0]!);
+      this.#drawTiles(renderer, target, render);
     } catch (error) {
       if (!this.#context.noticeLoss()) throw error;
     }
@@ -250,31 +250,21 @@ class Stage {
   /** Draws a capture into `target`, which has its size, tile by tile. */
   #drawTiles(renderer: WebGLRenderer, target: CanvasRenderingContext2D, render: DrawPart): void {
     this.#beforeOverwriting();
-    const { width, height } = target.canvas;
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
     const step = Math.min(this.#context.limit.side, SAFE_SIDE);
     for (const part of tilesOf(target.canvas, Infinity, step)) {
-      const fits = part.width <= canvas.width && part.height <= canvas.height;
+      const { x, y, width, height } = part;
+      const fits = width <= canvas.width && height <= canvas.height;
       if (!fits && !this.#context.resize(part)) {
         throw new RangeError(
-          `the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`,
+          `the GPU has no memory to draw ${String(target.canvas.width)} × ${String(target.canvas.height)} pixels`,
         );
       }
       clear(renderer);
       drawInto(renderer, { ...part, x: 0, y: 0 }, (r) => render(r, part));
-      const top = canvas.height - part.height;
-      target.drawImage(
-        canvas,
-        0,
-        top,
-        part.width,
-        part.height,
-        part.x,
-        part.y,
-        part.width,
-        part.height,
-      );
+      const top = canvas.height - height;
+      target.drawImage(canvas, 0, top, width, height, x, y, width, height);
     }
     this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.

@@ -223,9 +223,7 @@ export class SceneMesh {
     const { animations } = this.#host.picture;
     const { root, animation } = this.#shown;
     root?.removeFromParent();
-    if (animation !== null) {
-      animations.all.delete(animation);
-    }
+    animations.all.delete(animation!); // null is in no set
     this.#shown = next;
     if (next.root !== null) {
       this.#parent?.add(next.root);
