@@ -249,7 +249,7 @@ export class Viewport {
     if (this.#signals.awaited()) {
       stage.draw(this); // opens the context meanwhile
     } else if (!this.upToDate) {
-      if (this.#compiles()) {
+      if (this.#compiles() || (!this.isWhole && !this.resized && pace.holds())) {
         this.animate();
         return;
       }

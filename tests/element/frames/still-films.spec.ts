@@ -200,7 +200,10 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
     };
     requestAnimationFrame(frame); // before the package's own
   });
-  const viewer = await mount(viewerOf(64), { ...size, waitForReady: false });
+  const viewer = await mount(viewerOf(64, 'geometry="torus" pixel-ratio="1"'), {
+    ...size,
+    waitForReady: false,
+  });
   const session = await page.context().newCDPSession(page);
   await session.send('Emulation.setCPUThrottlingRate', { rate: 6 });
   try {

@@ -69,7 +69,7 @@ test('a still picture gets its samples, which are no frames; then nothing runs',
 test('samples begin three frames sooner after a lone change than after a drag', async ({
   mount,
 }) => {
-  const viewer = await mount(viewerOf(full), size);
+  const viewer = await mount(viewerOf('geometry="box" antialias="full" pixel-ratio="1"'), size);
   /**
    * Frames from the last of so many changes, two frames apart, to its first batch of samples, which
    * ends with a fence.

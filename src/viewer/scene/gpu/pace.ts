@@ -1,6 +1,7 @@
 // Fewer pixels a side while something moves and drawing takes too long, as where a processor stands
 // in for a GPU. By what drawing takes, never by the device's name. A late frame is only the
-// occasion to measure: the page's own work makes frames late too. Milliseconds.
+// occasion to measure: the page's own work makes frames late too. A fence tells when the GPU has
+// drawn, and frames wait for it meanwhile: the page's thread does not. Milliseconds.
 import type { WebGLRenderer } from 'three';
 
 /** Shares of the pixels a side. */
@@ -44,38 +45,67 @@ class Pace {
   #quickUntil = 0;
   /** What drawing took before the share was lowered; 0 once that has helped. */
   #before = 0;
-  #inFrame = false;
-  /** What draws the present frame, if its drawing is measured. */
-  #measured: WebGLRenderer | null = null;
+  /** Share of the pixels a side that was drawn in this frame, or in the one that is measured. */
   #largest = 0;
+  /** Null until something is drawn, and once the context is closed: it would keep its canvas. */
+  gl: WebGL2RenderingContext | null = null;
+  /**
+   * Of a measurement. 1: the GPU draws what was sent before. 2: it has, and the next frame is the
+   * measured one. 3: it draws that. Frames wait in 1 and 3. 0: nothing is measured.
+   */
+  #phase = 0;
 
   /** Share of the pixels a side, for a picture that moves. */
   get share(): number {
     return SHARES[this.#step]!;
   }
 
+  /** Call before a frame draws a scene. True: not in this one, as drawing is being measured. */
+  holds(): boolean {
+    const isFree = this.gl !== null && this.#phase === 0 && this.#largest === 0;
+    if (isFree && this.#begin(performance.now())) {
+      void this.#drain();
+    }
+    return this.#phase % 2 > 0;
+  }
+
   /** Call before each drawing of a scene, with its share of the pixels a side. */
   draws(renderer: WebGLRenderer, share: number): void {
-    this.#largest = Math.max(this.#largest, share);
-    if (this.#inFrame) return;
-    this.#inFrame = true;
-    if (this.#begin(performance.now())) {
-      this.#measured = renderer;
-      waitFor(renderer);
+    if (this.#largest === 0) {
+      this.gl = renderer.getContext() as WebGL2RenderingContext;
+      queueMicrotask(this.#endFrame);
     }
-    queueMicrotask(this.#endFrame);
+    this.#largest = Math.max(this.#largest, share);
   }
 
   readonly #endFrame = (): void => {
-    this.#inFrame = false;
-    if (this.#measured !== null) {
-      const sent = performance.now();
-      waitFor(this.#measured);
-      this.#measured = null;
-      this.#end(performance.now() - sent, sent);
+    if (this.#phase === 2) {
+      void this.#drain();
+    } else {
+      this.#largest = 0;
     }
-    this.#largest = 0;
   };
+
+  /** Once before the frame that is measured, and once after it. */
+  async #drain(): Promise<void> {
+    const gl = this.gl!;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.#phase += 1;
+    const sent = performance.now();
+    let time = 0; // in a busy page rather too short
+    while (
+      fence !== null && // the context is not lost
+      gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED
+    ) {
+      time = performance.now() - sent;
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    gl.deleteSync(fence);
+    this.#phase = (this.#phase + 1) % 4;
+    if (this.#phase > 0) return;
+    this.#end(time, performance.now());
+    this.#largest = 0;
+  }
 
   /** True: its drawing is to be measured. */
   #begin(now: number): boolean {
@@ -116,12 +146,3 @@ class Pace {
 
 /** The page's: its pictures share one context. */
 export const pace = new Pace();
-
-/** Until it has drawn all that was sent: reading a pixel needs it. */
-function waitFor(renderer: WebGLRenderer): void {
-  const gl = renderer.getContext();
-  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-}
-
-/** Made once: where memory is short, a measurement must not fail a frame. */
-const pixel = new Uint8Array(4);

@@ -202,11 +202,10 @@ class Stage {
    * larger than the context can hold. `render` draws the given part and must not clear. Throws
    * RangeError where no canvas can hold the picture.
    */
-  capture({ width, height }: Size, render: DrawPart): HTMLCanvasElement {
-    const target = this.newTarget({ width, height });
+  capture(size: Size, render: DrawPart): HTMLCanvasElement {
+    const target = this.newTarget(size);
     try {
-      const renderer = this.open(tilesOf({ width, height }, Infinity, SAFE_SIDE)[0]!);
-      this.#drawTiles(renderer, target, render);
+      this.#drawTiles(this.open(tilesOf(target.canvas, Infinity, SAFE_SIDE)[0]!), target, render);
     } catch (error) {
       if (!this.#context.noticeLoss()) throw error;
     }
@@ -263,8 +262,7 @@ class Stage {
       }
       clear(renderer);
       drawInto(renderer, { ...part, x: 0, y: 0 }, (r) => render(r, part));
-      const top = canvas.height - height;
-      target.drawImage(canvas, 0, top, width, height, x, y, width, height);
+      target.drawImage(canvas, 0, canvas.height - height, width, height, x, y, width, height);
     }
     this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.
@@ -383,6 +381,7 @@ class Stage {
   readonly #closeIfEmpty = (): void => {
     if (this.#viewports.size === 0) {
       this.#context.close();
+      pace.gl = null;
     }
   };
 }
