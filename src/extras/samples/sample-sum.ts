@@ -106,11 +106,10 @@ export class SampleSum {
 
   /** Frees the buffers; programs stay. */
   free(): void {
-    const { samples, sum, spare } = this.#targets ?? {};
-    this.#targets = null;
-    for (const target of [samples, sum, spare]) {
-      target?.dispose();
+    for (const target of Object.values(this.#targets ?? {})) {
+      target.dispose();
     }
+    this.#targets = null;
   }
 
   dispose(): void {

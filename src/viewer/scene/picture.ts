@@ -217,14 +217,14 @@ export class Picture {
 
   /**
    * Computes the frame that {@link draw} draws: the scene as it is now, at this size in pixels, of
-   * which `share` a side are drawn.
+   * which `share` a side are drawn. `until`: see {@link Levels.choose}.
    */
-  make(size: Size, samples: number, share = 1): void {
+  make(size: Size, samples: number, share = 1, until?: number): void {
     const { frame, scene } = this;
     this.settle();
     this.updateMatrices();
-    if (frame.update(this.fit.fov, size, samples, this.#version, share)) {
-      this.levels.choose(frame, this.fit.measure().bounds);
+    if (frame.update(this.fit.fov, size, samples, this.#version, share) || this.levels.isPaused) {
+      this.levels.choose(frame, this.fit.measure().bounds, until);
     }
     frame.aim(scene, this.fit.depthBounds());
   }

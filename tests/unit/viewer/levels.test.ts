@@ -305,31 +305,35 @@ describe('a flat shape', () => {
     }
   });
 
-  it('is looked at only while it could be large, and once more to be whole again', () => {
+  it('is looked at only while it could be large, and once more to be whole again; once the time is over, one is cut at a time', () => {
     let passes = 0;
     const shown = { auto: 'box' as const, isFixed: false, level: FIXED as Level };
+    const later = { ...shown };
     const levels = new Levels({
       style: { shading: 'phong' },
       budget: { limit: Infinity, used: 0 },
       get meshes() {
         passes += 1;
-        return [{ shown: Object.assign(shown, { parts: [{ mesh: new Mesh() }] }) }];
+        return [shown, later].map((one) => ({
+          shown: Object.assign(one, { parts: [{ mesh: new Mesh() }] }),
+        }));
       },
     });
-    const look = (z: number): [passes: number, whole: boolean] => {
+    const look = (z: number): string => {
       passes = 0;
       const view = viewFrom(1);
       const frame = { ...view.frame, origin: [0, 0, 0] as Vec3, eye: [0, 0, z] as Vec3 };
       const bounds = { center: [0, 0, 0] as Vec3, radius: Math.sqrt(0.75) };
-      levels.choose({ view: { ...view, frame } } as Frame, bounds);
-      return [passes, shown.level === FIXED];
+      levels.choose({ view: { ...view, frame } } as Frame, bounds, -1);
+      const isCut = [shown, later].map(({ level }) => level !== FIXED);
+      return [passes, ...isCut, levels.isPaused].join(' ');
     };
-    expect(look(1.09)).toEqual([1, true]); // counts the round shapes
-    expect(look(0.6)).toEqual([1, false]);
-    expect(look(1.08)).toEqual([1, true]);
-    expect(look(1.09)).toEqual([1, true]);
-    expect(look(1.09)).toEqual([0, true]);
+    expect(look(1.09)).toBe('1 false false false'); // counts the round shapes
+    expect(look(0.6)).toBe('1 true false true');
+    expect(look(1.08)).toBe('1 false false true');
+    expect(look(1.09)).toBe('1 false false false');
+    expect(look(1.09)).toBe('0 false false false');
     levels.changed();
-    expect(look(1.09)).toEqual([1, true]);
+    expect(look(1.09)).toBe('1 false false false');
   });
 });

@@ -63,6 +63,8 @@ export class Levels {
   #round: number | null = null;
   /** All shapes are flat, and shown whole. */
   #areWhole = true;
+  /** The time was over: {@link choose} is to be called again. */
+  isPaused = false;
 
   constructor(picture: LevelledPicture) {
     this.#picture = picture;
@@ -87,9 +89,11 @@ export class Levels {
 
   /**
    * Chooses for a frame whose world matrices are up to date; builds and shows what is chosen.
-   * `bounds`: all meshes are inside. Far from thousands of boxes it looks at none.
+   * `bounds`: all meshes are inside. Far from thousands of boxes it looks at none. After the time
+   * `until` of `performance.now()` it builds no other shape.
    */
-  choose(frame: Frame, bounds: Bounds | null): void {
+  choose(frame: Frame, bounds: Bounds | null, until = Infinity): void {
+    this.isPaused = false;
     this.#round ??= [...this.#picture.meshes].filter(({ shown }) => isRound(shown.auto)).length;
     const count = this.#round;
     const wereWhole = this.#areWhole;
@@ -105,9 +109,10 @@ export class Levels {
       } else if (!isFixed && !shown.isFixed) {
         level = this.#levelOf(shown, auto, frame, count);
       }
-      if (level !== shown.level) {
-        shown.level = level;
-      }
+      if (level === shown.level) continue;
+      if (this.isPaused) return;
+      shown.level = level;
+      this.isPaused = performance.now() > until;
     }
   }
 
