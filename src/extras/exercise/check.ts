@@ -47,7 +47,6 @@ export interface Verdict {
   /** A scene of the sheet that shows it, where the picture does not. */
   readonly scene: SceneName | null;
   readonly images: Images | null;
-  readonly isGouraud: boolean;
 }
 
 /** Points of each scene. */
@@ -123,7 +122,6 @@ function* verdictOf(
     worst: picture === null ? null : worstOf(shown, picture),
     scene: isRight(shown) && !right ? sceneOf(all, points) : null,
     images: picture === null ? null : yield* imagesOf(picture, shown.colors),
-    isGouraud: picture?.isGouraud === true,
   };
 }
 

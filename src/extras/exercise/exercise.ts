@@ -165,10 +165,6 @@ class Exercise extends ExtraElement<ExerciseValues> {
       reflection: viewer.reflection,
     };
     const own = await pointsOf(snapshot, task, signal);
-    const n = own?.exponent ?? null;
-    if (n !== null) {
-      throw refused('The exponent is {n} in this picture: an exercise needs 1 to 256.', { n });
-    }
     const picture = own === null || scene === null ? own : underScene(own, SCENES[scene], terms);
     this.#shown = await check(source, task, picture, signal);
     if (this.#shown.right) {
@@ -346,7 +342,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
             </figure>`
           : nothing
       }
-      ${this.#shown?.isGouraud === true ? html`<p>${this.#say('The viewer shades at the corners of triangles (Gouraud); these pictures do at each pixel.')}</p>` : nothing}
+      ${this.#viewer?.shading === 'gouraud' ? html`<p>${this.#say('The viewer shades at the corners of triangles (Gouraud); these pictures do at each pixel.')}</p>` : nothing}
     </div>`;
   }
 

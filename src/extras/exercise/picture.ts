@@ -7,6 +7,7 @@ import type { ViewerSnapshot } from '../../viewer/extra.js';
 import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
+import { refused } from './guard.js';
 import { type Case, kindOf, type Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
@@ -17,16 +18,12 @@ export interface PicturePoints {
   readonly cases: readonly Case[];
   /** The pixel of each case, counted in rows from the top. */
   readonly pixels: readonly number[];
-  /** One that an exercise cannot have; null where all are from 1 to 256. */
-  readonly exponent: number | null;
   /** The eye's axes: right, up, back. */
   readonly axes: readonly [Vec3, Vec3, Vec3];
   /** Colours are summed in linear light, and encoded when they are shown. */
   readonly linear: boolean;
   /** What the surface of each case adds to the sum itself. */
   readonly emissive: readonly Vec3[];
-  /** The viewer evaluates the equation at corners only: its picture is another. */
-  readonly isGouraud: boolean;
 }
 
 /** Enough for a picture of 300 × 200. */
@@ -35,7 +32,10 @@ const MOST_PIXELS = 60_000;
 /** Shared with `shadeAt`, which fetches it too. */
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), '<phong-exercise>');
 
-/** Null where the viewer draws nothing. Throws the signal's reason after an abort. */
+/**
+ * Null where the viewer draws nothing. Throws {@link Refused} for an exponent that an exercise cannot
+ * have, and the signal's reason after an abort.
+ */
 export async function pointsOf(
   { scene, lights }: ViewerSnapshot,
   task: Task,
@@ -60,7 +60,6 @@ function* pixelPoints(
   const cases: Case[] = [];
   const pixels: number[] = [];
   const emissive: Vec3[] = [];
-  let exponent: number | null = null;
   // All surfaces of a viewer are shaded in one space.
   const linear = scene.objects.some(({ phong }) => phong?.linear === true);
   const lamps = lights
@@ -76,7 +75,9 @@ function* pixelPoints(
       const { surface, normal } = shadedPoint(hit);
       const { shininess } = surface;
       if (shininess < 1 || shininess > 256) {
-        exponent = shininess;
+        throw refused('The exponent is {n} in this picture: an exercise needs 1 to 256.', {
+          n: shininess,
+        });
       }
       if (length(normal) < 1e-6) continue;
       const given = {
@@ -97,11 +98,9 @@ function* pixelPoints(
     height,
     cases,
     pixels,
-    exponent,
     axes,
     linear,
     emissive,
-    isGouraud: scene.objects.some(({ phong }) => phong?.style.shading === 'gouraud'),
   };
 }
 

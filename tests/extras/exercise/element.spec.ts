@@ -240,6 +240,9 @@ test('a lost context and a missing viewer are said, and the next run is a new on
     await runFirst(page);
     await expect(verdict(page), name).toContainText('Right: within one 8-bit step at all');
   }
+  await page.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('shininess', '300'));
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(page.getByRole('alert')).toContainText('The exponent is 300 in this picture');
   await page.locator('phong-exercise').evaluate((element) => element.setAttribute('for', 'w'));
   await page.getByRole('button', { name: 'Run' }).click();
   await expect(page.getByRole('alert')).toContainText('There is no phong-viewer with the id "w".');

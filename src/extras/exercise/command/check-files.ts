@@ -3,7 +3,7 @@
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { dirname, relative, resolve, sep } from 'node:path';
 import { parseArgs } from 'node:util';
-import type { Browser, Page } from '@playwright/test';
+import type { Browser, Locator } from '@playwright/test';
 
 export const HELP = `Usage: phong-viewer check PAGE.html FILES.glsl [options]
 
@@ -49,7 +49,7 @@ async function checkFiles(args: readonly string[]): Promise<number> {
     allowPositionals: true,
     options: {
       csv: { type: 'boolean', default: false },
-      exercise: { type: 'string' },
+      exercise: { type: 'string', default: '' },
       browser: { type: 'string' },
       help: { type: 'boolean', short: 'h', default: false },
     },
@@ -63,22 +63,23 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   for (const file of positionals) {
     if (!existsSync(file)) throw new Error(`There is no file ${file}.`);
   }
+  const selector = `phong-exercise${values.exercise === '' ? '' : `#${values.exercise}`}`;
   const browser = await launch(values.browser);
   let isWell = true;
   try {
-    let open = await openPage(browser, page, values.exercise);
+    let exercise = await openExercise(browser, page, selector);
     if (values.csv) {
       say('file,right,mistakes,share,x,y,found,exact,fault');
     }
     for (const file of files) {
       let result: Result;
       try {
-        result = await resultOf(open, values.exercise, readFileSync(file, 'utf8'));
+        result = await resultOf(exercise, readFileSync(file, 'utf8'));
       } catch {
         // A function may take the page with it.
         result = { ...NOTHING, fault: 'the page did not answer' };
-        await open.close();
-        open = await openPage(browser, page, values.exercise);
+        await exercise.page().close();
+        exercise = await openExercise(browser, page, selector);
       }
       isWell &&= result.right;
       say(values.csv ? csvLine(file, result) : line(file, result));
@@ -108,7 +109,7 @@ const ORIGIN = 'http://localhost';
 
 const QUIET = { throwIfNoEntry: false } as const;
 
-async function openPage(browser: Browser, file: string, id: string | undefined): Promise<Page> {
+async function openExercise(browser: Browser, file: string, selector: string): Promise<Locator> {
   const root = resolve(file).startsWith(resolve() + sep) ? resolve() : dirname(resolve(file));
   const page = await browser.newPage();
   await page.route(`${ORIGIN}/**`, async (route) => {
@@ -119,23 +120,19 @@ async function openPage(browser: Browser, file: string, id: string | undefined):
   });
   const address = relative(root, file).split(sep).map(encodeURIComponent).join('/');
   await page.goto(`${ORIGIN}/${address}`);
-  const exercise = page.locator(selectorOf(id)).first();
+  const exercise = page.locator(selector).first();
   try {
     await exercise.getByRole('textbox').waitFor({ timeout: 20_000 });
   } catch {
-    throw new Error(`The page shows no ${selectorOf(id)}.`);
+    throw new Error(`The page shows no ${selector}.`);
   }
-  return page;
+  return exercise;
 }
 
-const selectorOf = (id: string | undefined): string =>
-  id === undefined ? 'phong-exercise' : `phong-exercise#${id}`;
-
-async function resultOf(page: Page, id: string | undefined, source: string): Promise<Result> {
+async function resultOf(exercise: Locator, source: string): Promise<Result> {
   const late = new Promise<never>((_, reject) => {
     setTimeout(() => reject(new Error('late')), PATIENCE).unref();
   });
-  const exercise = page.locator(selectorOf(id)).first();
   return Promise.race([exercise.evaluate(runInPage, source), late]);
 }
 
@@ -180,10 +177,9 @@ function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result)
   const [x = '', y = '', found = '', exact = ''] = pixel ?? [];
   const cells = [file, right, mistakes.join(' '), share.toFixed(4), x, y, found, exact, fault];
   return cells
-    .map(String)
     .map((cell) => {
       // A spreadsheet would run what begins so.
-      const text = /^[=+@-]/.test(cell) ? `'${cell}` : cell;
+      const text = String(cell).replace(/^(?=[=+@-])/, "'");
       return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
     })
     .join(',');
