@@ -51,7 +51,8 @@ export const sizeOf = (geometry: BufferGeometry): GeometrySize | null => ended(m
 export const sizeOfVertices = (vertices: Vertices): GeometrySize | null =>
   ended(sizeAround(vertices));
 
-function ended<T>(steps: Steps<T>): T {
+/** The result of all steps at once. */
+export function ended<T>(steps: Steps<T>): T {
   for (;;) {
     const { done, value } = steps.next();
     if (done === true) return value;
@@ -102,7 +103,7 @@ export function forgetSize(geometry: BufferGeometry): boolean {
 }
 
 /** A computation in steps of about a millisecond. */
-type Steps<T> = Generator<undefined, T, undefined>;
+export type Steps<T> = Generator<undefined, T, undefined>;
 
 /** Numbers of vertices between two steps. */
 const PIECE = 3 * 2 ** 18;

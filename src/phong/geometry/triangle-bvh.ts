@@ -2,6 +2,7 @@
 // triangles in drawing order, and boxes around those. Most triangles are skipped without being
 // read. Kept while the geometry is the same.
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { ended, type Steps } from './geometry-size.js';
 
 export type Position = BufferAttribute | InterleavedBufferAttribute;
 
@@ -37,12 +38,7 @@ export interface BvhQuery {
 const hierarchies = new WeakMap<BufferGeometry, Bvh>();
 
 export function queryBvh(geometry: BufferGeometry, query: BvhQuery): void {
-  const steps = bvhInSteps(geometry);
-  let step = steps.next();
-  while (step.done !== true) {
-    step = steps.next();
-  }
-  walkBvh(step.value, query);
+  walkBvh(ended(bvhInSteps(geometry)), query);
 }
 
 /**
@@ -83,7 +79,7 @@ function walk(
 const STEP = 2 ** 14;
 
 /** The geometry's boxes as it is now. */
-export function* bvhInSteps(geometry: BufferGeometry): Generator<undefined, Bvh, undefined> {
+export function* bvhInSteps(geometry: BufferGeometry): Steps<Bvh> {
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const positionVersion = 'data' in position ? position.data.version : position.version;
