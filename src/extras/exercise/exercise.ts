@@ -13,7 +13,7 @@ import {
 import { check, type Verdict } from './check.js';
 import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
 import styles from './exercise.css?inline';
-import { kindOf } from '../../phong/mistakes/judge.js';
+import { kindOf } from '../../phong/light/light-features.js';
 import { type Fault, Refused, refused } from './guard.js';
 import { paint } from './paint.js';
 import { pointsOf, underScene } from './picture.js';

@@ -8,7 +8,8 @@ import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
 import { refused } from './guard.js';
-import { type Case, kindOf, type Work } from '../../phong/mistakes/judge.js';
+import { kindOf } from '../../phong/light/light-features.js';
+import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 

@@ -7,11 +7,14 @@ import { isIntegerPower, LEAST_EXPONENT } from './precision.js';
 
 type Values = Readonly<LightValues>;
 
+/** What a light's kind depends on. */
+type Shape = Pick<Values, 'position' | 'axis' | 'aperture' | 'cutoff'>;
+
 /** Has a cone or a decay, and an axis to measure it from. */
-export const isSpot = (light: Values): boolean =>
+export const isSpot = (light: Omit<Shape, 'position'>): boolean =>
   !isBlack(light.axis) && (light.aperture < 180 || light.cutoff >= LEAST_EXPONENT);
 
-export function kindOf(light: Values): LightKind {
+export function kindOf(light: Shape): LightKind {
   if (light.position[3] === 0) return 'directional'; // its cone and decay are constants: see pack-lights
   return isSpot(light) ? 'spot' : 'point';
 }

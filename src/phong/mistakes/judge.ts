@@ -1,8 +1,9 @@
 // Says what is wrong with a lighting function, from its colours alone: nothing, one or two usual
 // mistakes that explain the colours, or where they differ. Pure; runs in Node as in pages.
+import { kindOf } from '../light/light-features.js';
 import { KINDS, type LightKind } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
-import { add, clamp, dot, map, normalize, subtract, type Vec3 } from '../math/vector.js';
+import { add, clamp, map, normalize, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
 import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps.js';
 
@@ -286,13 +287,6 @@ const REGIONS = [
   { name: 'near', holds: ({ d }: Values, given: Given) => given.light.position[3] === 1 && d < 1 },
   { name: 'lit', holds: ({ NoL, isInside }: Values) => NoL > 0 && isInside },
 ] as const;
-
-export const kindOf = ({ position, aperture, cutoff, axis }: Given['light']): LightKind =>
-  position[3] === 0
-    ? 'directional'
-    : (aperture < 180 || cutoff > 0) && dot(axis, axis) > 0
-      ? 'spot'
-      : 'point';
 
 /** Kinds of lights and regions that hold nearly all wrong points. */
 export function differenceOf({ cases, wrong }: Judged): Difference {
