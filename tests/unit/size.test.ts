@@ -34,9 +34,9 @@ const tokensBelow = (folder: string): number =>
     .reduce((sum, { parentPath, name }) => sum + tokensOf(`${parentPath}/${name}`), 0);
 
 it.each([
-  ['src/phong', 71_500],
-  ['src/viewer', 60_050],
-  ['src/extras/models', 67_560],
+  ['src/phong', 70_720],
+  ['src/viewer', 59_840],
+  ['src/extras/models', 66_415],
   ['src/extras/overlay', 30_860],
   ['src/extras/probe', 12_460],
   ['src/extras/panel', 19_640],
@@ -50,7 +50,7 @@ it.each([
   ['src/extras/frameworks', 1_090],
   ['src/extras/exercise', 11_540],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 518_420],
+  ['tests', 517_930],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);
