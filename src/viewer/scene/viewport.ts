@@ -90,6 +90,8 @@ export class Viewport {
   #unchanged = STILL_FRAMES;
   /** Drawing is slow, so its animation frames have to tell whether a motion goes on. */
   #settles = false;
+  /** The canvas no longer shows the picture, so no frame may wait. */
+  #isBlank = false;
   /** Frames in a row without a picture, as programs are compiled. */
   #held = 0;
   #frames = 0;
@@ -196,6 +198,7 @@ export class Viewport {
       this.still.converging?.reset();
     }
     this.#painted = NONE;
+    this.#isBlank = true;
     this.animate();
   }
 
@@ -249,7 +252,10 @@ export class Viewport {
     if (this.#signals.awaited()) {
       stage.draw(this); // opens the context meanwhile
     } else if (!this.upToDate) {
-      if (this.#compiles() || (!this.isWhole && !this.resized && pace.holds())) {
+      if (
+        !this.#isBlank &&
+        (this.#compiles() || (!this.isWhole && !this.resized && pace.holds()))
+      ) {
         this.animate();
         return;
       }
@@ -294,6 +300,7 @@ export class Viewport {
     const { version, materials } = this.picture;
     // Before drawing: if that throws, the next attempt follows the next change.
     this.#painted = version;
+    this.#isBlank = false;
     try {
       if (stage.draw(this, this.#render)) {
         if (this.#signals.unproven() && stage.outOfMemory()) {

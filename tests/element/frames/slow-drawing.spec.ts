@@ -114,6 +114,28 @@ test('late frames alone take no pixels away, nor does slow drawing where `pixel-
   expect((await statsOf(viewer)).reducedFrames).toBe(0);
 });
 
+test('a picture whose canvas another viewer takes waits for no drawing', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(), size);
+  await setCosts(page, { drawing: 200, own: 60 });
+  const [waiting, then, drawn] = await viewer.evaluate(async (element: PhongViewer, markup) => {
+    const next = async (): Promise<number> => {
+      for (let i = 0; i < 9; i++) {
+        await new Promise(requestAnimationFrame);
+      }
+      return element.stats.frames;
+    };
+    WebGL2RenderingContext.prototype.clientWaitSync = () => 0x911b; // not drawn yet
+    element.autoRotate = 45;
+    const waits = [await next(), await next()];
+    element.insertAdjacentHTML('afterend', markup);
+    return [...waits, await next()];
+  }, viewerOf());
+  expect([then, drawn]).toEqual([waiting, waiting! + 1]);
+});
+
 test('where vertices take the time, the pixels come back', async ({ page, mount }) => {
   const viewer = await mount(viewerOf(), size);
   await setCosts(page, { drawing: 5, vertices: 150, own: 60 });
