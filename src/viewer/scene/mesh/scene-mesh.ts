@@ -223,7 +223,9 @@ export class SceneMesh {
     const { animations } = this.#host.picture;
     const { root, animation } = this.#shown;
     root?.removeFromParent();
-    animations.all.delete(animation!); // null is in no set
+    if (animation !== null) {
+      animations.all.delete(animation);
+    }
     this.#shown = next;
     if (next.root !== null) {
       this.#parent?.add(next.root);
