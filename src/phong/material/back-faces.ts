@@ -30,12 +30,15 @@ export function cullsBackFaces(
 }
 
 function isFlattened(matrix: Matrix4): boolean {
-  const { elements: e } = matrix;
-  const squared = (at: number): number => e[at]! ** 2 + e[at + 1]! ** 2 + e[at + 2]! ** 2;
+  const { elements } = matrix;
   const determinant = matrix.determinant();
-  const lengths = squared(0) * squared(4) * squared(8);
+  const lengths = squared(elements, 0) * squared(elements, 4) * squared(elements, 8);
   return !(determinant * determinant > FLATTENED * FLATTENED * lengths);
 }
+
+/** The squared length of the column that begins at this element. */
+const squared = (e: readonly number[], at: number): number =>
+  e[at]! ** 2 + e[at + 1]! ** 2 + e[at + 2]! ** 2;
 
 /** Whether the eye and the near plane are outside the geometry's bounds. */
 function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
