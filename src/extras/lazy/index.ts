@@ -23,7 +23,7 @@ const HOST = `:where(${VIEWER}:not(:defined))`;
 
 /** The box that the element will have itself. Any rule of the page is stronger. */
 const BOX =
-  `${HOST}{display:inline-block;width:300px;height:150px;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
+  `${HOST}{display:inline-block;width:300px;aspect-ratio:2;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
   `${HOST}>[slot=poster]{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}` +
   // Beside the place of a panel lies a picture of another shape, which the poster has.
   `${HOST}[gui]>[slot=poster]{width:auto}`;

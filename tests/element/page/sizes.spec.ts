@@ -32,6 +32,8 @@ test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ p
     ['width: 50%; height: 40vh; position: absolute', 500, 280],
     ['width: 100px; height: 60px; padding: 10px; border: 5px solid red', 120, 80],
     ['width: 90px; height: 60px; zoom: 2', 180, 120],
+    ['width: 200px', 200, 100],
+    ['width: 320px; aspect-ratio: 16 / 9', 320, 180],
   ] as const) {
     await style(viewer, css);
     await expect.poll(() => canvasSize(viewer), { message: css }).toEqual([width, height]);
