@@ -128,11 +128,11 @@ test('a viewer without a size is named with the cause, unless something around i
     lid.addEventListener('render', () => (lid.style.height = 0), { once: true });
   })`;
   const boxes: readonly (readonly [markup: string, warning?: string])[] = [
-    [box('height: 100%'), `${flat('height')} height: 100% is 0, as the element around it has no height. ${hint('height')}`], // oxfmt-ignore
-    [box('height: auto'), `${flat('height')} height: auto is 0, as it has no content. ${hint('height')}`], // oxfmt-ignore
-    [box('display: inline-block; width: auto'), `${flat('width')} width: auto is 0, as it has no content. ${hint('width')}`], // oxfmt-ignore
+    [box('aspect-ratio: auto; height: 100%'), `${flat('height')} height: 100% is 0, as the element around it has no height. ${hint('height')}`], // oxfmt-ignore
+    [box('aspect-ratio: auto; height: auto'), `${flat('height')} height: auto is 0, as it has no content. ${hint('height')}`], // oxfmt-ignore
+    [box('aspect-ratio: auto; display: inline-block; width: auto'), `${flat('width')} width: auto is 0, as it has no content. ${hint('width')}`], // oxfmt-ignore
     [
-      `<div style="display: flex; flex-direction: column">${box('flex: 1')}</div>`,
+      `<div style="display: flex; flex-direction: column">${box('aspect-ratio: auto; flex: 1')}</div>`,
       `${flat('height')} The flex container around it leaves it none. ${hint('height')}`,
     ],
     [box('display: inline'), '<phong-viewer> has display: inline, which has no size. Write display: block.'], // oxfmt-ignore
@@ -142,7 +142,8 @@ test('a viewer without a size is named with the cause, unless something around i
     [`<div style="height: 0; overflow: hidden">${box('height: 100%')}</div>`],
     [`<details><summary>More</summary>${box('height: 100%')}</details>`],
     [`<div style="content-visibility: hidden">${box('height: 100%')}</div>`],
-    [box('height: auto; aspect-ratio: 2')],
+    [box('height: auto')],
+    [box('height: 100%')],
     [`${box('height: 0" id="lid')}<script>${openAndClose}</script>`],
   ];
   const wanted = boxes.flatMap(([, warning]) => warning ?? []).sort();
