@@ -290,8 +290,16 @@ function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
   for (const [i, { ambient, diffuse, specular, position, axis, ...rest }] of lamps.entries()) {
     texels.set(
       [
-        ...[...ambient, rest.aperture, ...diffuse, rest.cutoff, ...specular, 0],
-        ...[...position, ...axis, 0, ...rest.attenuation],
+        ...ambient,
+        rest.aperture,
+        ...diffuse,
+        rest.cutoff,
+        ...specular,
+        0,
+        ...position,
+        ...axis,
+        0,
+        ...rest.attenuation,
       ],
       24 * (count + i),
     );
