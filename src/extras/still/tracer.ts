@@ -137,8 +137,9 @@ export class Tracer {
     for (let i = starts[pixel]!; i < starts[pixel + 1]!; i++) {
       const thing = things[i]!;
       if (nears[thing]! > t) break;
-      if ((t === Infinity || this.#isApart(thing)) && this.#reaches(thing, column, row))
+      if ((t === Infinity || this.#isApart(thing)) && this.#reaches(thing, column, row)) {
         return true;
+      }
     }
     return false;
   }
