@@ -4,7 +4,7 @@ import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightState, LightValues, Term } from '../../phong/light/light-state.js';
 import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import { length, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { length, subtract, transformed, type Vec3 } from '../../phong/math/vector.js';
 import { fitTo } from '../../phong/geometry/framing.js';
 import { chosenLights, unknownLightText } from '../../phong/material/view/view-light.js';
 import { type Quantity, viewEntry } from '../../phong/material/view/view-table.js';
@@ -166,7 +166,12 @@ async function objectOf(
     alphaMode,
     alphaCutoff,
   };
-  return { shape: shape ?? mesh.shape, matrix, material };
+  if (part.geometry.boundingSphere === null) {
+    part.geometry.computeBoundingSphere(); // as three.js does before it sorts
+  }
+  const { x, y, z } = part.geometry.boundingSphere!.center;
+  const center = transformed(matrix, x, y, z);
+  return { shape: shape ?? mesh.shape, matrix, center, material };
 }
 
 /** The camera, and the pixels of a unit of length at depth 1. */

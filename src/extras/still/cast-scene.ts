@@ -93,6 +93,11 @@ export interface CastObject {
    * Default: the identity.
    */
   readonly matrix?: ArrayLike<number>;
+  /**
+   * In world space. Blended objects are drawn in the order of its depth, the farthest first. Default:
+   * the matrix's origin.
+   */
+  readonly center?: Vec3;
   readonly material: CastMaterial;
 }
 

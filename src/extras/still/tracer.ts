@@ -53,7 +53,7 @@ export class Tracer {
   readonly #volumes: Float64Array;
   /** By object: its light sums at each vertex, from the front and from behind. */
   readonly #vertexSums: Float64Array[] = [];
-  /** By object: how far it is. */
+  /** By object: the depth of its centre. */
   readonly #depths: readonly number[];
   /** The direction of the last ray. */
   #d: Vec3 = [0, 0, 0];
@@ -70,7 +70,9 @@ export class Tracer {
     this.#scene = scene;
     this.screen = new Screen(camera, width, height);
     const { eye, back } = camera;
-    this.#depths = objects.map(({ matrix }) => dot(subtract(eye, columnsOf(matrix).origin), back));
+    this.#depths = objects.map(({ matrix, center = columnsOf(matrix).origin }) =>
+      dot(subtract(eye, center), back),
+    );
     const most = objects.reduce((sum, { shape }) => sum + countOf(shape), 0);
     this.#lists = new PixelLists(this.screen, most);
     this.#objects = new Int32Array(most);

@@ -132,16 +132,20 @@ describe('a still', () => {
   });
 
   it('blends what a file declares translucent over what lies behind it', async () => {
-    const material = {
-      alphaMode: 'BLEND',
-      extensions: { KHR_materials_unlit: {} },
-      pbrMetallicRoughness: { baseColorFactor: [1, 0, 0, 0.4] },
+    const glass = (baseColorFactor: readonly number[], place: string): string => {
+      const extensions = { KHR_materials_unlit: {} };
+      const pbrMetallicRoughness = { baseColorFactor };
+      const src = patch({ material: { alphaMode: 'BLEND', extensions, pbrMetallicRoughness } });
+      return `<phong-mesh src="${src}" ${place}></phong-mesh>`;
     };
-    const glass = `<phong-mesh src="${patch({ material })}" position="0 0 1"></phong-mesh>`;
-    const { middle } = await draw(front(glass + WALL));
+    const red = glass([1, 0, 0, 0.4], 'position="0 0 1"');
+    const { middle } = await draw(front(red + WALL));
     expect(middle).toEqual([Math.round(0.4 * 255 + 0.6 * 200), 120, 120, 255]);
-    const { middle: alone } = await draw(front(glass));
+    const { middle: alone } = await draw(front(red));
     expect(alone).toEqual([255, 0, 0, 102]);
+    // Its origin is nearer than the red one's, and its surface farther away.
+    const blue = glass([0, 0, 1, 0.4], 'position="0 0 2" scale="1 1 -10"');
+    expect((await draw(front(red + blue))).middle).toEqual([159, 0, 96, 163]);
   });
 
   it('reads the colour of a texel, and leaves out what a mask cuts away', async () => {
