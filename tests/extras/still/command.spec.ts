@@ -314,6 +314,7 @@ for (const [args, part] of [
   [['still', 'a.html', '--scale', '0'], '--scale takes'],
   [['still', 'a.html', '--zoom', '2'], "Unknown option '--zoom'"],
   [['still', 'a.html', 'b.html', '--out', 'a.png'], '--out is for one'],
+  [['still', '--out', 'a.html', 'a.html'], 'a file that ends with .png'],
 ] as const) {
   test(`phong-viewer ${args.join(' ')} is one line and status 2`, () => {
     const { status, out, err } = folderOf({}).run(...args);
@@ -324,6 +325,7 @@ for (const [args, part] of [
 }
 
 test('--help says what the command does', () => {
-  const help = { status: 0, out: expect.stringMatching(/^Usage: phong-viewer still/) };
-  expect(folderOf({}).run('--help')).toMatchObject(help);
+  const { status, out } = folderOf({}).run('--help');
+  expect(status).toBe(0);
+  expect(out.split('\n')).toContain('  --help, --version');
 });

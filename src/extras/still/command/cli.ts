@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import type { Size } from './page.js';
-import { complain, say, type Settings, updatePage } from './update-page.js';
+import { complain, type Settings, updatePage } from './update-page.js';
 
 const HELP = `Usage: phong-viewer still FILES.html [options]
        phong-viewer check PAGE.html FILES.glsl [options]   (check --help says more)
@@ -44,7 +44,7 @@ async function run(args: readonly string[]): Promise<number> {
   const manifest = fileURLToPath(new URL(/* @vite-ignore */ '../package.json', import.meta.url));
   const { version } = JSON.parse(readFileSync(manifest, 'utf8')) as { readonly version: string };
   if (values.help || values.version) {
-    say(values.help ? HELP : version);
+    process.stdout.write(`${values.help ? HELP : version}\n`);
     return 0;
   }
   const [command, ...files] = positionals;
@@ -63,8 +63,8 @@ async function run(args: readonly string[]): Promise<number> {
     out: values.out ?? null,
     version,
   };
-  if (settings.out !== null && files.length > 1) {
-    throw new UsageError('--out is for one viewer of one page.');
+  if (settings.out !== null && (files.length > 1 || !settings.out.endsWith('.png'))) {
+    throw new UsageError('--out is for one viewer of one page, and a file that ends with .png.');
   }
   let isWell = true;
   for (const file of files) {
