@@ -7,10 +7,10 @@ import {
   ACCURACY_HEAD,
   accuracyRows,
   accuracySentence,
-  accuracySvg,
   EXPONENTS,
   placeOf,
-} from '../../tests/bench/accuracy-chart.mjs';
+} from '../../tests/bench/accuracy-words.mjs';
+import { accuracyPlot } from '../../tests/bench/accuracy-chart.mjs';
 import { measureAccuracy, rendererHere } from './measure.js';
 
 /** What was measured on named machines, by the names of the files. */
@@ -131,8 +131,9 @@ function draw(plot: Element): void {
     sizes.unobserve(plot);
     return;
   }
-  const svg = accuracySvg(accuracy, Math.min(760, Math.floor(plot.clientWidth)));
-  plot.replaceChildren(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);
+  plot.replaceChildren(
+    accuracyPlot(accuracy, Math.min(760, Math.floor(plot.clientWidth)), document),
+  );
 }
 
 function tableOf(accuracy: Accuracy): HTMLElement {

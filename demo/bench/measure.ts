@@ -12,7 +12,7 @@ import {
   PLAIN_WAY,
   WAYS,
   type WayName,
-} from '../../tests/bench/accuracy-chart.mjs';
+} from '../../tests/bench/accuracy-words.mjs';
 import { median, pairedRatios } from '../../tests/bench/statistics.mjs';
 
 /** Duration of a sample: long beside the timer's own cost, short enough not to be noticed. */

@@ -6,7 +6,7 @@ import { existsSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { launchOptions, serveFolder } from '../support/built-pages.mjs';
 import { numberOption, readCommandLine, refuse } from '../support/command-line.mjs';
-import { accuracySentence } from './accuracy-chart.mjs';
+import { accuracySentence } from './accuracy-words.mjs';
 
 const USAGE = `
 node tests/bench/accuracy.mjs [options]: what does accuracy cost in this browser?
@@ -43,7 +43,7 @@ site.close();
 if (json === '') {
   throw new Error(said?.split('\n')[0]);
 }
-/** @type {import('./accuracy-chart.mjs').Accuracy} */
+/** @type {import('./accuracy-words.mjs').Accuracy} */
 const accuracy = JSON.parse(json);
 console.log(accuracy.renderer);
 console.log(accuracySentence(accuracy));

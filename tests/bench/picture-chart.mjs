@@ -5,6 +5,7 @@
 
 import * as Plot from '@observablehq/plot';
 import { parseHTML } from 'linkedom';
+import { accuracyPlot, cleaned, writerOf } from './accuracy-chart.mjs';
 import { picturePoints, SERIES } from './pictures.mjs';
 import { PICTURES, pictureSubject } from './subjects.mjs';
 
@@ -66,6 +67,22 @@ const COLORS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#e69f00'
 const WIDTH = 680;
 const TITLE = 'RMSE in codes over time, plain picture = 1 (dashed: average of codes)';
 
+const newDocument = () => parseHTML('<!doctype html><html><body></body></html>').document;
+
+/**
+ * What accuracy costs, as a file of its own: what a page says of colours stands in it. @param
+ * {import('./accuracy-words.mjs').Accuracy} accuracy @param {number} width
+ */
+export function accuracyFile(accuracy, width) {
+  const svg = accuracyPlot(accuracy, width, newDocument());
+  svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  return svg.outerHTML.replace(
+    '>',
+    `><style>svg{background:var(--paper);color:var(--ink);--paper:#fff;--ink:#15171a;--quiet:#565c64;--band:#eceef0;--series-1:#0072b2;--series-2:#d55e00;--series-3:#009e73;--series-4:#cc79a7}
+@media (prefers-color-scheme:dark){svg{--paper:#131417;--ink:#e3e4e6;--quiet:#a0a5ad;--band:#25282d;--series-1:#56b4e9;--series-2:#e8803a;--series-3:#2fbf95}}</style>`,
+  );
+}
+
 /**
  * The chart of a result's whole pictures; undefined without any. @param
  * {import('./results.mjs').BenchResult} result
@@ -75,7 +92,7 @@ export function picturesChart(result) {
   if (points.length === 0) return undefined;
   const titles = [...new Map(points.map((point) => [point.picture, point])).values()];
   const { x, y, color } = panelScales(points, COLORS);
-  const { document } = parseHTML('<!doctype html><html><body></body></html>');
+  const document = newDocument();
   const svg = Plot.plot({
     document,
     width: WIDTH,
@@ -104,27 +121,17 @@ export function picturesChart(result) {
       }),
     ],
   });
-  /** @param {string} text @param {number} x @param {number} y @param {string} fill */
-  const write = (text, x, y, fill) => {
-    const element = document.createElementNS('http://www.w3.org/2000/svg', 'text');
-    const attributes = {
-      x,
-      y,
-      fill,
-      'font-size': 15,
-      'font-weight': 'bold',
-      'text-anchor': 'start',
-    };
-    for (const [key, value] of Object.entries(attributes)) {
-      element.setAttribute(key, String(value));
-    }
-    element.textContent = text;
-    svg.append(element);
-  };
+  const add = writerOf(svg, document);
+  const write = (
+    /** @type {string} */ text,
+    /** @type {number} */ x,
+    /** @type {number} */ y,
+    /** @type {string | undefined} */ fill,
+  ) => add('text', { x, y, fill, 'font-size': 15, 'font-weight': 'bold' }, text);
   write(TITLE, 10, 20, '#222');
   // Below the title: lines that meet leave no room beside their ends.
   const step = Math.min(170, (WIDTH - 20) / SERIES.length);
-  SERIES.forEach(({ series }, i) => write(series, 10 + step * i, 42, COLORS[i] ?? '#222'));
+  SERIES.forEach(({ series }, i) => write(series, 10 + step * i, 42, COLORS[i]));
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   return svg.outerHTML;
 }
@@ -134,7 +141,7 @@ export function picturesChart(result) {
  * all panels @param {string} picture @param {readonly string[]} colors
  */
 export function panelSvg(points, picture, colors) {
-  const { document } = parseHTML('<!doctype html><html><body></body></html>');
+  const document = newDocument();
   const svg = Plot.plot({
     document,
     width: 300,
@@ -150,14 +157,9 @@ export function panelSvg(points, picture, colors) {
       {},
     ),
   });
-  svg.querySelector('style')?.remove(); // a strict policy allows no styles but the page's
-  for (const name of ['style', 'class', 'width', 'height']) {
+  cleaned(svg);
+  for (const name of ['width', 'height']) {
     svg.removeAttribute(name);
-  }
-  svg.setAttribute('role', 'img');
-  // Plot names its marks, which ARIA allows only where there is a role.
-  for (const mark of svg.querySelectorAll('g[aria-label]')) {
-    mark.removeAttribute('aria-label');
   }
   return svg.outerHTML;
 }

@@ -7,16 +7,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
 import { escaped, table, writePart } from '../support/markdown.mjs';
-import {
-  ACCURACY_HEAD,
-  accuracyFile,
-  accuracyRows,
-  accuracySentence,
-  placeOf,
-} from './accuracy-chart.mjs';
+import { ACCURACY_HEAD, accuracyRows, accuracySentence, placeOf } from './accuracy-words.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { MODELS } from './models.mjs';
-import { picturesChart } from './picture-chart.mjs';
+import { accuracyFile, picturesChart } from './picture-chart.mjs';
 import {
   PLAIN,
   FULL,
@@ -56,7 +50,7 @@ npm run bench:report -- [options]: writes REPORT.md, its charts and the README's
   --folder DIR   holds results/ and accuracy/, and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
   --help`;
 
-/** @typedef {{ stack: string, accuracy: import('./accuracy-chart.mjs').Accuracy }} MeasuredAccuracy */
+/** @typedef {{ stack: string, accuracy: import('./accuracy-words.mjs').Accuracy }} MeasuredAccuracy */
 
 /** What node tests/bench/accuracy.mjs has measured. @param {string} folder @returns {MeasuredAccuracy[]} */
 export const readAccuracies = (folder) =>

@@ -2,7 +2,7 @@
 // compares each with float64. Knows nothing of how results are shown.
 import { fullScreenProgram } from '../../glsl/float-pass.js';
 import { clockFrames, hasTimer, timeFrames } from '../pages/timing.js';
-import type { WayName } from '../accuracy-chart.mjs';
+import type { WayName } from '../accuracy-words.mjs';
 import { errorsOf } from './errors.js';
 import { BEND, type Floor, floorOf, floorTruth, SURFACE } from './floor.js';
 import { type Variant, variantsOf } from './variants.js';

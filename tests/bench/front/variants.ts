@@ -13,7 +13,7 @@ import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
 import { DEFAULT_STYLE } from '../../../src/phong/material/material-values.js';
 import { specialisedVariant } from '../../../src/phong/material/program/special-variant.js';
 import { generalVariant } from '../../../src/phong/material/program/variant.js';
-import type { WayName } from '../accuracy-chart.mjs';
+import type { WayName } from '../accuracy-words.mjs';
 import hoistedGlsl from './hoisted.glsl?raw';
 import { IDENTITY } from '../../support/matrices.js';
 

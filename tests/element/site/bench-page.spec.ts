@@ -1,6 +1,6 @@
 // The demo's bench page: it shows the recorded figures of whole pictures, measures in the visitor's
 // browser, shows its progress, and copies the result.
-import { type Accuracy, WAYS } from '../../bench/accuracy-chart.mjs';
+import { type Accuracy, WAYS } from '../../bench/accuracy-words.mjs';
 import { expect, test } from '../../support/test.js';
 
 test('@release measures every way to write the loop, plots it and copies the result as JSON', async ({
