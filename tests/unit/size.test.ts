@@ -43,7 +43,7 @@ it.each([
   ['src/extras/still', 23_940],
   ['src/extras/png', 2_200],
   ['src/extras/lazy', 860],
-  ['src/extras/explain', 9_840],
+  ['src/extras/explain', 9_310],
   ['src/extras/samples', 4_970],
   ['src/extras/compare', 4_660],
   ['src/extras/playwright', 4_100],

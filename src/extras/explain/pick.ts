@@ -162,7 +162,7 @@ export function* pickNear<Owner>(
       matrixWorld,
       rangeOf(geometry),
       distance,
-      (read) => !isCutOut(drawn, read),
+      (point) => !isCutOut(drawn, () => point),
     );
     if (near !== null) {
       distance = length(near.away);
