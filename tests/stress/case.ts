@@ -47,7 +47,7 @@ const DEFAULTS = Object.fromEntries(
 ) as unknown as LightValues;
 
 /** A light with these values, and the defaults for all others. */
-export const lightWith = (values: Partial<LightValues>): LightValues => ({
+export const lightWith = (values: Partial<LightValues> = {}): LightValues => ({
   ...DEFAULTS,
   ...values,
 });

@@ -2,16 +2,10 @@
 // HTML's units. Knows only what a light's values may be, never how they are used.
 
 import fc from 'fast-check';
-import { LIGHT_FIELDS, type LightValues, LIMITS } from '../../src/phong/light/light-state.js';
+import { type LightValues, LIMITS } from '../../src/phong/light/light-state.js';
 import type { Vec3, Vec4 } from '../../src/phong/math/vector.js';
 
-/** Every light of a test is written as what differs from the defaults. */
-export function light(values: Partial<LightValues> = {}): LightValues {
-  const defaults = Object.fromEntries(
-    Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
-  );
-  return { ...(defaults as unknown as LightValues), ...values };
-}
+export { lightWith as light } from '../stress/case.js';
 
 /** Doubles from `min` to `max`, the ends, 0, denormals and whole powers of ten among them. */
 export function numbers(min: number, max: number): fc.Arbitrary<number> {
@@ -87,6 +81,13 @@ export const plainLight: fc.Arbitrary<LightValues> = lightsFrom({
   cutoff: fc.constantFrom(0, 0.5, 1, 8, 40),
   attenuation: plain(0, 2),
 });
+
+/** The same, lit and in world space. */
+export const worldLight: fc.Arbitrary<LightValues> = plainLight.map((one) => ({
+  ...one,
+  active: true,
+  space: 'world',
+}));
 
 /** Directions and places within a few units, never zero. */
 export const plainVector: fc.Arbitrary<Vec3> = triple(plain(-5, 5)).filter((v) =>

@@ -9,6 +9,7 @@ import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
 import { assign, type PhongViewer, settled, statsOf, htmlOf } from '../element/support/viewer.js';
 import { innerPixels } from './against-reference.js';
+import { lightWith } from '../stress/case.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import type { DeclaredScene } from './ray-cast.js';
 import { Dice, dimmed, randomLight, randomScene, sceneMarkup } from './random-scene.js';
@@ -104,19 +105,18 @@ const FLOOR = { size: 20, height: 3, aperture: 20.6 } as const;
 
 function spots(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
-  return Array.from({ length: count }, () => ({
-    name: '',
-    active: true,
-    ambient: [dice.from(0, 4), 0, dice.from(0, 4)],
-    diffuse: dice.vector(10, 40),
-    specular: dice.vector(0, 30),
-    position: [dice.from(-10, 10), FLOOR.height, dice.from(-10, 10), 1],
-    axis: [dice.from(-0.1, 0.1), -1, dice.from(-0.1, 0.1)],
-    aperture: FLOOR.aperture,
-    cutoff: dice.pick([0, 2, 8.5]),
-    attenuation: dice.chance(0.5) ? [1, 0, 0] : [1, 0.1, 0.05],
-    space: 'world',
-  }));
+  const spot = (): LightValues =>
+    lightWith({
+      ambient: [dice.from(0, 4), 0, dice.from(0, 4)],
+      diffuse: dice.vector(10, 40),
+      specular: dice.vector(0, 30),
+      position: [dice.from(-10, 10), FLOOR.height, dice.from(-10, 10), 1],
+      axis: [dice.from(-0.1, 0.1), -1, dice.from(-0.1, 0.1)],
+      aperture: FLOOR.aperture,
+      cutoff: dice.pick([0, 2, 8.5]),
+      attenuation: dice.chance(0.5) ? [1, 0, 0] : [1, 0.1, 0.05],
+    });
+  return Array.from({ length: count }, spot);
 }
 
 const overFloor = (lights: readonly LightValues[], shading = 'phong'): DeclaredScene => ({

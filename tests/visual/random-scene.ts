@@ -2,6 +2,7 @@
 // write: moderate numbers with a few decimals.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { scale, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
+import { lightWith } from '../stress/case.js';
 import { Random } from '../stress/random.js';
 import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
@@ -44,8 +45,7 @@ export function randomLight(dice: Dice): LightValues {
   const spot = kind.endsWith('spot');
   const place = dice.vector(-3, 3);
   const position: Vec4 = [...place, positional ? 1 : 0];
-  return {
-    name: '',
+  return lightWith({
     active: dice.chance(0.9),
     ambient: dice.color(40),
     diffuse: dice.color(dice.chance(0.2) ? 400 : 160),
@@ -60,7 +60,7 @@ export function randomLight(dice: Dice): LightValues {
       ? [dice.from(0, 2), dice.from(0, 0.5), dice.from(0, 0.2)]
       : [1, 0, 0],
     space: dice.chance(0.2) ? 'camera' : 'world',
-  };
+  });
 }
 
 /** With a share of its intensities. */

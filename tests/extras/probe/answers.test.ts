@@ -11,10 +11,11 @@ import {
 import { judge, questionOf, typedNumber } from '../../../src/extras/probe/answers.js';
 import { isLeftOut } from '../../../src/phong/mistakes/slips.js';
 import { TERMS } from '../../../src/phong/light/light-state.js';
+import { cosDegrees } from '../../../src/phong/math/angle.js';
 import { srgbEncode } from '../../../src/phong/math/color.js';
 import type { LightValues, Surface } from '../../../src/phong/reference/index.js';
 import { repeats } from '../../support/repeats.js';
-import { light, plainLight } from '../../unit/arbitraries.js';
+import { light, worldLight } from '../../unit/arbitraries.js';
 import { explained } from '../../unit/explained.js';
 
 interface Given {
@@ -40,20 +41,8 @@ function asked({ lights, surface, linear = false, halfway = false }: Given): Equ
 
 const grey = (x: number): [number, number, number] => [x, x, x];
 
-const unit = fc.integer({ min: 1, max: 255 });
-const coordinate = fc.double({ min: -3, max: 3, noNaN: true });
-const LIGHT = fc.record({
-  position: fc.tuple(coordinate, coordinate, coordinate, fc.constantFrom(0, 1)),
-  ambient: fc.tuple(unit, unit, unit),
-  diffuse: fc.tuple(unit, unit, unit),
-  specular: fc.tuple(unit, unit, unit),
-  axis: fc.tuple(coordinate, coordinate, coordinate),
-  aperture: fc.constantFrom(180, 20, 60),
-  cutoff: fc.constantFrom(0, 2, 8),
-  attenuation: fc.constantFrom([1, 0, 0] as const, [1, 0.2, 0.5] as const),
-});
 const GIVEN: fc.Arbitrary<Given> = fc.record({
-  lights: fc.array(LIGHT, { minLength: 1, maxLength: 3 }),
+  lights: fc.array(worldLight, { minLength: 1, maxLength: 3 }),
   surface: fc.record({
     shininess: fc.constantFrom(0, 1, 8, 32.5),
     emissive: fc.constantFrom(grey(0), grey(0.1)),
@@ -133,11 +122,8 @@ it('can be answered from what it shows, and takes that answer (seed 54)', () => 
 
 it('has every light value that the picture has (seed 55)', () => {
   fc.assert(
-    fc.property(plainLight, fc.boolean(), (one, halfway) => {
-      for (const { at, factors, numbers } of asked({
-        lights: [{ ...one, space: 'world' }],
-        halfway,
-      }).slice(0, -1)) {
+    fc.property(worldLight, fc.boolean(), (one, halfway) => {
+      for (const { at, factors, numbers } of asked({ lights: [one], halfway }).slice(0, -1)) {
         for (const channel of [0, 1, 2]) {
           const product = factors.reduce((all, factor) => all * valueOf(factor, channel), 1);
           const drawn = at!.share[at!.term][channel]!;
@@ -146,6 +132,31 @@ it('has every light value that the picture has (seed 55)', () => {
       }
     }),
     { seed: 55, numRuns: repeats(2400) },
+  );
+});
+
+/** What the formula in a fact's words gives. */
+function saidBy(words: string): number {
+  const [, formula = '1'] = /(?:att|decay) = (.*)$/.exec(words) ?? [];
+  const js = formula
+    .replace(/(\d)\u00a0d/g, '$1*d')
+    .replace('d²', 'd**2')
+    .replace(/cos ([\d.]+)°/, (_, degrees: string) => String(cosDegrees(Number(degrees))));
+  const d = Number(/^d = ([\d.]+)/.exec(words)?.[1]);
+  return Function('max', 'd', `return ${js.replace('^', '**')}`)(Math.max, d) as number;
+}
+
+it('says in words the formula that gives a factor, whatever the values of a light (seed 57)', () => {
+  fc.assert(
+    fc.property(worldLight, (one) => {
+      for (const { factors, at } of asked({ lights: [one] }).slice(0, -1)) {
+        for (const { symbol, value, fact } of factors) {
+          if (!['att', 'decay'].includes(symbol) || !at!.share.insideCone) continue;
+          expect(saidBy(fact!.text(9)), fact!.text(9)).toBeCloseTo(value[0], 6);
+        }
+      }
+    }),
+    { seed: 57, numRuns: repeats(2400) },
   );
 });
 

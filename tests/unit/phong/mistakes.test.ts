@@ -2,10 +2,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { LightState } from '../../../src/phong/light/light-state.js';
-import type { Vec3 } from '../../../src/phong/math/vector.js';
+import { scale, type Vec3 } from '../../../src/phong/math/vector.js';
 import { both, formsOf, MISTAKE_IDS, MISTAKES } from '../../../src/phong/mistakes/mistakes.js';
 import { evaluate, type Given, sumOfTerms } from '../../../src/phong/mistakes/steps.js';
 import { shade } from '../../../src/phong/reference/equation.js';
+import { worldLight } from '../arbitraries.js';
 
 const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 
@@ -15,18 +16,16 @@ const vector = (size: number): fc.Arbitrary<Vec3> =>
 const color = fc.tuple(number(0, 1), number(0, 1), number(0, 1));
 
 const given: fc.Arbitrary<Given> = fc.record({
-  light: fc.record({
-    ambient: color,
-    diffuse: color,
-    specular: color,
-    position: fc.tuple(number(-3, 3), number(-3, 3), number(-3, 3), fc.constantFrom(0, 1)),
-    axis: fc.oneof(vector(3), fc.constant<Vec3>([0, 0, 0])),
-    aperture: fc.oneof(number(1, 179), fc.constant(180)),
+  light: fc.tuple(worldLight, fc.boolean()).map(([one, isSpot]) => ({
+    ...one,
+    axis: isSpot ? one.axis : ([0, 0, 0] as const),
+    ambient: unit(one.ambient),
+    diffuse: unit(one.diffuse),
+    specular: unit(one.specular),
     // The steps are written as people write them: behind a spot (c + 1) / 2 cancels digits, and an
     // exponent below 1 would bring the loss back.
-    cutoff: fc.oneof(number(1, 40), fc.constant(0)),
-    attenuation: fc.tuple(number(0, 2), number(0, 1), number(0, 1)),
-  }),
+    cutoff: Math.ceil(one.cutoff),
+  })),
   material: fc.record({ ka: color, kd: color, ks: color, shininess: number(1, 256) }),
   p: vector(2),
   normal: vector(1),
@@ -36,7 +35,8 @@ const given: fc.Arbitrary<Given> = fc.record({
 });
 
 /** The reference takes colours as HTML writes them. */
-const html = (c: Vec3): Vec3 => [c[0] * 255, c[1] * 255, c[2] * 255];
+const html = (color: Vec3): Vec3 => scale(color, 255);
+const unit = (color: Vec3): Vec3 => scale(color, 1 / 255);
 
 function byReference({ light, material, terms, reflection, ...fragment }: Given) {
   const { ambient, diffuse, specular } = light;
