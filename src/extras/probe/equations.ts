@@ -8,6 +8,7 @@ import {
   type ViewerTexts,
 } from '../../viewer/extra.js';
 import {
+  falloff,
   LIGHT_FIELDS,
   type LightValues,
   type Term,
@@ -159,10 +160,7 @@ function attenuationAt({ share: { att, d }, light }: TermAt): Factor | null {
     value: grey(att),
     fact: {
       text: (digits) => (isFading ? `d = ${plain(d, digits)}, ${formula}` : formula),
-      value: (digits) => {
-        const x = rounded(d, digits);
-        return 1 / Math.max(kc + kl * x + kq * x * x, 1);
-      },
+      value: (digits) => 1 / Math.max(falloff(light, rounded(d, digits)), 1),
     },
   };
 }

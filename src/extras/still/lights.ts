@@ -1,13 +1,13 @@
 // The equation's sums over the lights, as the reference has them, for millions of points: what does
 // not depend on the point is prepared once, and nothing is allocated. All places are relative to
 // the eye, so that scenes far from the origin lose no digits.
+import { falloff, type LightValues } from '../../phong/light/light-state.js';
 import { LEAST_EXPONENT, NEAREST } from '../../phong/light/precision.js';
 import { cosDegrees, radians, sinDegrees } from '../../phong/math/angle.js';
 import { srgbDecode } from '../../phong/math/color.js';
 import { atan2 } from '../../phong/math/elementary.js';
 import { map, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { EDGE, power } from '../../phong/reference/equation.js';
-import type { LightValues } from '../../phong/reference/index.js';
 import type { CastCamera } from './cast-scene.js';
 import { type Cone, LightCells } from './light-cells.js';
 import { turned } from './placed.js';
@@ -16,8 +16,7 @@ import { turned } from './placed.js';
 interface Prepared extends Cone {
   /** Radians; at 180° no direction is compared. */
   readonly aperture: number;
-  readonly cutoff: number;
-  readonly attenuation: Vec3;
+  readonly light: Readonly<LightValues>;
   readonly ambient: Vec3;
   readonly diffuse: Vec3;
   readonly specular: Vec3;
@@ -62,20 +61,20 @@ export class LightSums {
     const { sums, last } = this;
     sums.fill(0);
     let piece = 0;
-    for (const light of this.#cells.at(p)) {
-      const { place, axis, cutoff, ambient, diffuse, specular } = light;
+    for (const each of this.#cells.at(p)) {
+      const { place, axis, light, ambient, diffuse, specular } = each;
+      const { cutoff } = light;
       let lx = place[0];
       let ly = place[1];
       let lz = place[2];
       let att = 1;
-      if (light.positional) {
+      if (each.positional) {
         lx -= p[0];
         ly -= p[1];
         lz -= p[2];
         const far = Math.sqrt(lx * lx + ly * ly + lz * lz);
         const d = far < NEAREST ? 0 : far;
-        const k = light.attenuation;
-        att = 1 / Math.max(k[0] + k[1] * d + k[2] * d * d, 1);
+        att = 1 / Math.max(falloff(light, d), 1);
         const factor = d > 0 ? 1 / d : 0;
         lx *= factor;
         ly *= factor;
@@ -87,7 +86,7 @@ export class LightSums {
       let decay = 1;
       let inside = true;
       if ((ax !== 0 || ay !== 0 || az !== 0) && (lx !== 0 || ly !== 0 || lz !== 0)) {
-        inside = isInside(light, lx, ly, lz);
+        inside = isInside(each, lx, ly, lz);
         // The one light of a view shows its decay outside of its cone, too.
         if (!inside && this.count > 1) continue;
         // By chords: behind the spot (1 + c) / 2 would lose all digits.
@@ -101,7 +100,7 @@ export class LightSums {
       }
       const NoL = N[0] * lx + N[1] * ly + N[2] * lz;
       if (inside) {
-        piece += NoL > 0 ? 2 * light.mark : light.mark;
+        piece += NoL > 0 ? 2 * each.mark : each.mark;
       }
       // R and V, or H and N.
       let rx = 2 * NoL * N[0] - lx;
@@ -177,8 +176,7 @@ function prepared(
     cosine: cosDegrees(light.aperture),
     sine: sinDegrees(light.aperture),
     aperture: radians(light.aperture),
-    cutoff: light.cutoff,
-    attenuation: light.attenuation,
+    light,
     ambient: color(light.ambient),
     diffuse: color(light.diffuse),
     specular: color(light.specular),

@@ -219,6 +219,15 @@ export type ShadedValue = {
   [K in keyof Values]: Values[K]['shading'] extends string ? never : K;
 }[keyof Values];
 
+/**
+ * kc + kl·d + kq·d² at a distance >= 0: what the attenuation divides by where it is above 1. The
+ * one place on the CPU, as shaders/attenuation.glsl is on the GPU.
+ */
+export const falloff = (
+  { attenuation: k }: Readonly<Pick<LightValues, ShadedValue>>,
+  d: number,
+): number => k[0] + k[1] * d + k[2] * d * d;
+
 /** One light. Every write is checked and notifies the listener, its LightSet. */
 export class LightState extends FieldStore<LightValues> {
   /** Throws as {@link FieldStore.set} does. Values that are not given have their defaults. */

@@ -1,7 +1,7 @@
 // The usual mistakes in Phong's equation, one entry each: the steps that are written wrongly, in
 // the forms in which people make them, and the sentence that says what is wrong. A sentence fits
 // all forms of its mistake: up or down, one factor or all.
-import { type Term, TERMS } from '../light/light-state.js';
+import { falloff, type Term, TERMS } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import {
   add,
@@ -18,7 +18,6 @@ import {
 import {
   angleOf,
   BLACK,
-  falloff,
   type Given,
   isPositional,
   NoH,
@@ -346,8 +345,8 @@ export const MISTAKES = mistakeTable({
     forms: [
       { att: () => 1 },
       // With the length of L, which is 1.
-      attenuated((so, given) => Math.max(falloff({ ...so, d: 1 }, given), 1)),
-      attenuated((so, given) => falloff({ ...so, d: 1 }, given)),
+      attenuated((_, { light }) => Math.max(falloff(light, 1), 1)),
+      attenuated((_, { light }) => falloff(light, 1)),
       {
         diffuse: ({ lambert }, { material, light }) =>
           scale(multiply(material.kd, light.diffuse), lambert),
@@ -368,7 +367,7 @@ export const MISTAKES = mistakeTable({
   },
   'attenuation-not-clamped': {
     sentence: 'The attenuation may be above 1: its denominator lacks max(…, 1).',
-    forms: [attenuated(falloff)],
+    forms: [attenuated(({ d }, { light }) => falloff(light, d))],
   },
   'w-ignored': {
     sentence: 'position.w is ignored: 0 is a direction, 1 is a place.',
@@ -376,7 +375,7 @@ export const MISTAKES = mistakeTable({
       // Every position is a place,
       {
         toLight: (_, given) => subtract(placeOf(given), given.p),
-        att: (so, given) => 1 / Math.max(falloff(so, given), 1),
+        att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1),
       },
       { toLight: (_, given) => subtract(placeOf(given), given.p) },
       // or a direction,
@@ -385,9 +384,9 @@ export const MISTAKES = mistakeTable({
       { toLight: (_, given) => placeOf(given) },
       // or the attenuation does not ask for it.
       {
-        att: (so, given) => 1 / Math.max(falloff({ ...so, d: lengthTo(given) }, given), 1),
+        att: (_, given) => 1 / Math.max(falloff(given.light, lengthTo(given)), 1),
       },
-      { att: (so, given) => 1 / Math.max(falloff(so, given), 1) },
+      { att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1) },
     ],
   },
   'ambient-outside-cone': {

@@ -2,7 +2,7 @@
 // mistake is a step that is written wrongly, so one evaluation serves the right equation, every
 // mistake, and two mistakes at once. World space, float64; 1 is full.
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
-import type { LightValues, ShadedValue, Term } from '../light/light-state.js';
+import { falloff, type LightValues, type ShadedValue, type Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import {
   add,
@@ -102,12 +102,6 @@ export const RoV = ({ N, NoL, L, V }: Readonly<Values>): number =>
 /** N·H, with H half-way between light and eye. */
 export const NoH = ({ N, L, V }: Readonly<Values>): number => dot(N, normalize(add(L, V)));
 
-/** kc + kl·d + kq·d². */
-export const falloff = ({ d }: Readonly<Values>, { light }: Given): number => {
-  const [kc, kl, kq] = light.attenuation;
-  return kc + kl * d + kq * d * d;
-};
-
 export const RIGHT: Steps = {
   N: (_, { normal }) => normalize(normal),
   V: (_, { eye, p }) => normalize(subtract(eye, p)),
@@ -120,7 +114,7 @@ export const RIGHT: Steps = {
   isInside: (so, { light }) =>
     !isSpot(so) || light.aperture >= 180 || angleOf(so) <= radians(light.aperture),
   decay: (so, { light }) => (isSpot(so) ? power((so.c + 1) / 2, light.cutoff) : 1),
-  att: (so, given) => (isPositional(given) ? 1 / Math.max(falloff(so, given), 1) : 1),
+  att: (so, given) => (isPositional(given) ? 1 / Math.max(falloff(given.light, so.d), 1) : 1),
   NoL: ({ N, L }) => dot(N, L),
   lambert: ({ NoL }) => Math.max(NoL, 0),
   cosine: (so, { reflection }) => (reflection === 'phong' ? RoV(so) : NoH(so)),

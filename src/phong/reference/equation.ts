@@ -2,7 +2,7 @@
 // textbook rather than the shader. World space throughout. Colours come in as in HTML (255 = 1) and
 // go out with 1 as full.
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
-import type { LightValues } from '../light/light-state.js';
+import { falloff, type LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { atan2, exp, log1p, pow } from '../math/elementary.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
@@ -178,8 +178,7 @@ function share(
   const L = distance > 0 ? normalize(toLight) : BLACK;
 
   const { c, insideCone, decay } = spot(light, L, axis);
-  const [kc, kl, kq] = light.attenuation;
-  const att = positional ? 1 / Math.max(kc + kl * distance + kq * distance * distance, 1) : 1;
+  const att = positional ? 1 / Math.max(falloff(light, distance), 1) : 1;
 
   const NoL = dot(N, L);
   const R = subtract(scale(N, 2 * NoL), L);
