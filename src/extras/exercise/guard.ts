@@ -153,7 +153,7 @@ function withStops(lines: readonly string[]): string {
     open = i;
     i = end;
   }
-  limit(tokens, definitions);
+  const code = limit(tokens, definitions);
   // Each line by itself, with what ends a loop and keeps an array short.
   const out = lines.map((line) => (line.includes('#') ? line : ''));
   const closers = new Map<number, string>();
@@ -164,7 +164,7 @@ function withStops(lines: readonly string[]): string {
       throw tooManyTurns(line);
     }
     if (text === 'for') {
-      closers.set(closing(tokens, i + 1), `) if (exerciseStop(${line})) break; else`);
+      closers.set(closing(tokens, i + 1), `) if (exerciseStop(${line}, ${code})) break; else`);
     } else if (isIndex) {
       // 16,000 elements take a compiler a minute: an array has 63 at most.
       closers.set(closing(tokens, i), ') & 63]');
@@ -174,11 +174,11 @@ function withStops(lines: readonly string[]): string {
   return out.join('\n');
 }
 
-/** Counts the code, with a copy of each definition wherever it is named. */
+/** The size of the code, with a copy of each definition wherever it is named. */
 function limit(
   tokens: readonly Token[],
   definitions: ReadonlyMap<string, readonly Definition[]>,
-): void {
+): number {
   const has = (word: RegExp): boolean => tokens.some(({ text }) => word.test(text));
   const weight = has(/^mat\d/) ? MATRIX : has(/^for$/) ? REPEATED : 1;
   let code = 0;
@@ -200,6 +200,7 @@ function limit(
     }
   };
   read(tokens, []);
+  return code;
 }
 
 /** A block in brackets could hide a function from the count. */

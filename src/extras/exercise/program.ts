@@ -11,6 +11,9 @@ void main() {
   gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
+/** In place of the line of a loop: the tile has to be smaller. */
+const TOO_LONG = 1e6;
+
 /** Cases, and lamps, in a row of the texture; side of the largest tile. */
 const WIDTH = 64;
 
@@ -48,8 +51,11 @@ vec3 exercisePow(vec3 x, vec3 y) {
 vec4 exercisePow(vec4 x, vec4 y) {
   return vec4(exercisePow(x.xy, y.xy), exercisePow(x.zw, y.zw));
 }
-int exerciseTurns, exerciseLine = 0;
-bool exerciseStop(int line) {
+uniform int exerciseMost;
+int exerciseTurns, exerciseWork = 0, exerciseLine = 0;
+bool exerciseStop(int line, int code) {
+  exerciseWork += code;
+  if (exerciseWork > exerciseMost) exerciseLine = ${TOO_LONG};
   if (++exerciseTurns > ${ALL_TURNS}) exerciseLine = line;
   return exerciseLine > 0;
 }
@@ -90,8 +96,14 @@ const LINES = PRELUDE.split('\n').length - 1;
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
 
-/** Milliseconds: a frame that runs cannot be stopped, so only after a quicker one tiles grow. */
+/** Milliseconds: only after a quicker tile tiles grow. */
 const QUICK = 100;
+
+/**
+ * What the loops of a tile may do, in what the guard counts: half a second in software. A frame that
+ * runs cannot be stopped, and a function may be slow at some points only.
+ */
+const MOST_WORK = 2e9;
 
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
@@ -105,6 +117,7 @@ export const openContext = (): WebGL2RenderingContext | null =>
 export class Program {
   readonly #gl: WebGL2RenderingContext;
   readonly #pixels: WebGLBuffer | null;
+  #most: WebGLUniformLocation | null = null;
 
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
@@ -137,7 +150,7 @@ export class Program {
     gl.viewport(0, 0, WIDTH, height);
     gl.enable(gl.SCISSOR_TEST);
     const colors = new Float32Array(3 * cases.length).fill(NaN);
-    let [at, count, spent, least] = [0, 1, 0, QUICK];
+    let [at, count, most, spent, least] = [0, 1, WIDTH ** 2, 0, QUICK];
     while (at < cases.length) {
       // Its timers wait for a second, so that drawing would seem slow.
       if (document.hidden) {
@@ -146,7 +159,7 @@ export class Program {
         );
       }
       signal.throwIfAborted();
-      if (spent > PATIENCE) {
+      if (spent > PATIENCE || count < 1) {
         throw refused('The function takes too long: drawing stopped after two seconds.');
       }
       const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
@@ -161,15 +174,17 @@ export class Program {
       const floats = new Float32Array(bits.buffer);
       for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
         const line = bits[i + 3]! - 1;
+        if (line === TOO_LONG) {
+          most = count / 4;
+          break;
+        }
         if (line > 0) throw tooManyTurns(line);
         // Where the function has discarded the pixel nothing is written.
         if (line === 0) {
           colors.set(floats.subarray(i, i + 3), 3 * at);
         }
       }
-      if (took - least < QUICK) {
-        count = Math.min(4 * count, WIDTH ** 2);
-      }
+      count = Math.min(took - least < QUICK ? 4 * count : count, most);
     }
     return colors;
   }
@@ -183,6 +198,7 @@ export class Program {
   async #draw(x: number, y: number, width: number, height: number): Promise<Uint32Array> {
     const gl = this.#gl;
     const bits = new Uint32Array(4 * width * height);
+    gl.uniform1i(this.#most, MOST_WORK / (width * height));
     gl.scissor(x, y, width, height);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -229,6 +245,7 @@ export class Program {
       throw messagesIn(gl.getProgramInfoLog(program) ?? '', own);
     }
     gl.useProgram(program);
+    this.#most = gl.getUniformLocation(program, 'exerciseMost');
   }
 }
 
