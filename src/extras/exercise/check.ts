@@ -2,7 +2,7 @@
 import { type Term, TERMS } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
-import { guarded, refused } from './guard.js';
+import { guarded } from './guard.js';
 import {
   type Case,
   colorAt,
@@ -19,7 +19,7 @@ import {
 } from '../../phong/mistakes/judge.js';
 import { type Images, imagesOf } from './paint.js';
 import type { PicturePoints } from './picture.js';
-import { openContext, Program } from './program.js';
+import { run } from './program.js';
 import { inTasks } from '../explain/in-tasks.js';
 import {
   only,
@@ -65,29 +65,15 @@ export async function check(
   picture: PicturePoints | null,
   signal: AbortSignal,
 ): Promise<Verdict> {
-  const glsl = guarded(source);
-  const gl = openContext();
-  if (gl === null) throw refused('An exercise needs WebGL 2.');
-  const program = new Program(gl);
-  try {
-    program.build(glsl);
-    const points = sheetOf(task, COUNT);
-    const few = points.filter((_, i) => i % COUNT < ALONE);
-    const parts = [
-      points.map(({ given }) => [given]),
-      ...TERMS.map((term) => litBy(term, few)),
-      picture?.cases ?? [],
-    ];
-    const colors = await program.run(parts.flat(), signal);
-    if (program.isLost()) throw new Error('lost');
-    return await inTasks(verdictOf(points, parts, colors, picture), signal);
-  } catch (error) {
-    throw program.isLost()
-      ? refused('The graphics driver has stopped. The next run starts anew.')
-      : error;
-  } finally {
-    program.dispose();
-  }
+  const points = sheetOf(task, COUNT);
+  const few = points.filter((_, i) => i % COUNT < ALONE);
+  const parts = [
+    points.map(({ given }) => [given]),
+    ...TERMS.map((term) => litBy(term, few)),
+    picture?.cases ?? [],
+  ];
+  const colors = await run(guarded(source), parts.flat(), signal);
+  return inTasks(verdictOf(points, parts, colors, picture), signal);
 }
 
 const litBy = (term: Term, points: readonly SheetPoint[]): Case[] =>

@@ -108,145 +108,159 @@ const MOST_WORK = 2e9;
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
 
-/** Null where there is no WebGL 2. */
-export const openContext = (): WebGL2RenderingContext | null =>
-  document
+/**
+ * The sums at the cases, three numbers each. Throws {@link Refused} where there are none, and the
+ * signal's reason after an abort.
+ */
+export async function run(
+  glsl: string,
+  cases: readonly Case[],
+  signal: AbortSignal,
+): Promise<Float32Array> {
+  const gl = document
     .createElement('canvas')
     .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
-
-export class Program {
-  readonly #gl: WebGL2RenderingContext;
-  readonly #pixels: WebGLBuffer | null;
-  #most: WebGLUniformLocation | null = null;
-
-  constructor(gl: WebGL2RenderingContext) {
-    this.#gl = gl;
-    this.#pixels = gl.createBuffer();
-  }
-
-  /** A driver has given up, or the page has taken the context away. Then any method may throw. */
-  isLost(): boolean {
-    return this.#gl.isContextLost();
-  }
-
-  /**
-   * The sums at the cases, three numbers each. Throws {@link Refused} where they take too long, and
-   * the signal's reason after an abort.
-   */
-  async run(cases: readonly Case[], signal: AbortSignal): Promise<Float32Array> {
-    const gl = this.#gl;
-    const height = Math.ceil(cases.length / WIDTH);
-    const texels = await inTasks(packed(cases, WIDTH * height), signal);
-    const target = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, target);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, WIDTH, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    const rows = texels.length / 24 / WIDTH;
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6 * WIDTH, rows, 0, gl.RGBA, gl.FLOAT, texels);
-    gl.viewport(0, 0, WIDTH, height);
-    gl.enable(gl.SCISSOR_TEST);
-    const colors = new Float32Array(3 * cases.length).fill(NaN);
-    let [at, count, most, spent, least] = [0, 1, WIDTH ** 2, 0, QUICK];
-    while (at < cases.length) {
-      // Its timers wait for a second, so that drawing would seem slow.
-      if (document.hidden) {
-        await new Promise((resolve) =>
-          document.addEventListener('visibilitychange', resolve, { once: true }),
-        );
-      }
-      signal.throwIfAborted();
-      if (spent > PATIENCE || count < 1) {
-        throw refused('The function takes too long: drawing stopped after two seconds.');
-      }
-      const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
-      const width = Math.min(count, WIDTH - x);
-      const lines = width < WIDTH ? 1 : Math.min(count / WIDTH, height - y);
-      const start = performance.now();
-      const bits = await this.#draw(x, y, width, lines);
-      const took = performance.now() - start;
-      // What a frame takes without its pixels. Drivers finish a program in its first one.
-      least = Math.min(least, took);
-      spent += at === 0 ? 0 : took - least;
-      const floats = new Float32Array(bits.buffer);
-      for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
-        const line = bits[i + 3]! - 1;
-        if (line === TOO_LONG) {
-          most = count / 4;
-          break;
-        }
-        if (line > 0) throw tooManyTurns(line);
-        // Where the function has discarded the pixel nothing is written.
-        if (line === 0) {
-          colors.set(floats.subarray(i, i + 3), 3 * at);
-        }
-      }
-      count = Math.min(took - least < QUICK ? 4 * count : count, most);
-    }
+  if (gl === null) throw refused('An exercise needs WebGL 2.');
+  try {
+    const mostAt = build(gl, glsl);
+    await bindTextures(gl, cases, signal);
+    const colors = await draw(gl, mostAt, cases, signal);
+    if (gl.isContextLost()) throw new Error('lost');
     return colors;
+  } catch (error) {
+    // A driver has given up, or the page has taken the context away.
+    throw gl.isContextLost()
+      ? refused('The graphics driver has stopped. The next run starts anew.')
+      : error;
+  } finally {
+    // Browsers keep few contexts, so none waits for the next run.
+    lose(gl);
   }
+}
 
-  /** Browsers keep few contexts, so none waits for the next run. */
-  dispose(): void {
-    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+const lose = (gl: WebGL2RenderingContext): void =>
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+
+/**
+ * Returns the uniform that says how much the loops at a pixel may do. Throws {@link Refused} with
+ * what the compiler has against the program.
+ */
+function build(gl: WebGL2RenderingContext, glsl: string): WebGLUniformLocation | null {
+  const program = gl.createProgram();
+  // A function's parameters have the qualifiers of its prototype.
+  const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
+  for (const [type, source] of [
+    [gl.VERTEX_SHADER, VERTEX],
+    [gl.FRAGMENT_SHADER, PRELUDE + own],
+  ] as const) {
+    const shader = gl.createShader(type)!;
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
+      throw messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
+    }
+    gl.attachShader(program, shader);
   }
+  gl.linkProgram(program);
+  if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
+    throw messagesIn(gl.getProgramInfoLog(program) ?? '', own);
+  }
+  gl.useProgram(program);
+  return gl.getUniformLocation(program, 'exerciseMost');
+}
 
-  /** The page goes on while the GPU draws. */
-  async #draw(x: number, y: number, width: number, height: number): Promise<Uint32Array> {
-    const gl = this.#gl;
-    const bits = new Uint32Array(4 * width * height);
-    gl.uniform1i(this.#most, MOST_WORK / (width * height));
+/** What the program reads, and what it draws into. */
+async function bindTextures(
+  gl: WebGL2RenderingContext,
+  cases: readonly Case[],
+  signal: AbortSignal,
+): Promise<void> {
+  const height = Math.ceil(cases.length / WIDTH);
+  const texels = await inTasks(packed(cases, WIDTH * height), signal);
+  const target = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, target);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, WIDTH, height);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  const rows = texels.length / 24 / WIDTH;
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6 * WIDTH, rows, 0, gl.RGBA, gl.FLOAT, texels);
+  gl.viewport(0, 0, WIDTH, height);
+  gl.enable(gl.SCISSOR_TEST);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, gl.createBuffer());
+}
+
+/** Tile by tile. */
+async function draw(
+  gl: WebGL2RenderingContext,
+  mostAt: WebGLUniformLocation | null,
+  cases: readonly Case[],
+  signal: AbortSignal,
+): Promise<Float32Array> {
+  const colors = new Float32Array(3 * cases.length).fill(NaN);
+  let [at, count, most, spent, least] = [0, 1, WIDTH ** 2, 0, QUICK];
+  while (at < cases.length) {
+    // Its timers wait for a second, so that drawing would seem slow.
+    if (document.hidden) {
+      await new Promise((resolve) =>
+        document.addEventListener('visibilitychange', resolve, { once: true }),
+      );
+    }
+    signal.throwIfAborted();
+    if (spent > PATIENCE || count < 1) {
+      throw refused('The function takes too long: drawing stopped after two seconds.');
+    }
+    const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
+    const width = Math.min(count, WIDTH - x);
+    const rows = Math.ceil((cases.length - at) / WIDTH);
+    const height = width < WIDTH ? 1 : Math.min(count / WIDTH, rows);
+    const start = performance.now();
+    gl.uniform1i(mostAt, MOST_WORK / (width * height));
     gl.scissor(x, y, width, height);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.#pixels);
+    const bits = new Uint32Array(4 * width * height);
     gl.bufferData(gl.PIXEL_PACK_BUFFER, bits.byteLength, gl.STREAM_READ);
     gl.readPixels(x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 0);
-    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    const end = performance.now() + WATCHDOG;
-    do {
-      await new Promise((resolve) => setTimeout(resolve));
-      if (performance.now() > end) {
-        this.dispose();
-      }
-      if (drawn === null || this.isLost()) throw new Error('lost');
-    } while (gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED);
-    gl.deleteSync(drawn);
+    await drawn(gl);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bits);
-    return bits;
-  }
-
-  /** Throws {@link Refused} with what the compiler has against it. */
-  build(glsl: string): void {
-    const gl = this.#gl;
-    const program = gl.createProgram();
-    // A function's parameters have the qualifiers of its prototype.
-    const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) =>
-      head.replace(/\bconst\b/g, ''),
-    );
-    for (const [type, source] of [
-      [gl.VERTEX_SHADER, VERTEX],
-      [gl.FRAGMENT_SHADER, PRELUDE + own],
-    ] as const) {
-      const shader = gl.createShader(type)!;
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
-        throw messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
+    const took = performance.now() - start;
+    // What a frame takes without its pixels. Drivers finish a program in its first one.
+    least = Math.min(least, took);
+    spent += at === 0 ? 0 : took - least;
+    const floats = new Float32Array(bits.buffer);
+    for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
+      const line = bits[i + 3]! - 1;
+      if (line === TOO_LONG) {
+        most = count / 4;
+        break;
       }
-      gl.attachShader(program, shader);
+      if (line > 0) throw tooManyTurns(line);
+      // Where the function has discarded the pixel nothing is written.
+      if (line === 0) {
+        colors.set(floats.subarray(i, i + 3), 3 * at);
+      }
     }
-    gl.linkProgram(program);
-    if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
-      throw messagesIn(gl.getProgramInfoLog(program) ?? '', own);
-    }
-    gl.useProgram(program);
-    this.#most = gl.getUniformLocation(program, 'exerciseMost');
+    count = Math.min(took - least < QUICK ? 4 * count : count, most);
   }
+  return colors;
+}
+
+/** The page goes on while the GPU draws. */
+async function drawn(gl: WebGL2RenderingContext): Promise<void> {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  const end = performance.now() + WATCHDOG;
+  do {
+    await new Promise((resolve) => setTimeout(resolve));
+    if (performance.now() > end) {
+      lose(gl);
+    }
+    if (fence === null || gl.isContextLost()) throw new Error('lost');
+  } while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED);
+  gl.deleteSync(fence);
 }
 
 /** What the compiler says, by the learner's lines. */
