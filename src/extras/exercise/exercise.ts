@@ -50,13 +50,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const viewer = this.#viewer;
     if (viewer === null || viewer === this.#followed) return;
     this.#followed = viewer;
-    let { texts } = viewer;
-    const hostUpdated = (): void => {
-      if (viewer.texts === texts) return;
-      ({ texts } = viewer);
-      this.#render();
-    };
-    viewer.addController({ hostUpdated });
+    viewer.addController({ hostUpdated: () => this.#render() });
     this.#render();
   }
 
