@@ -1,6 +1,6 @@
 // `npx phong-viewer check PAGE FILES`: runs learners' functions in the exercise of a page, with the
 // installed Playwright and its browser, one page for all.
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { dirname, relative, resolve, sep } from 'node:path';
 import { parseArgs } from 'node:util';
 import type { Browser, Locator } from '@playwright/test';
@@ -37,8 +37,8 @@ export async function run(args: readonly string[]): Promise<number> {
   try {
     return await checkFiles(args);
   } catch (error) {
-    const [line = ''] = (error instanceof Error ? error.message : String(error)).split('\n');
-    process.stderr.write(`${line} See phong-viewer check --help.\n`);
+    const [line] = (error as Error).message.split('\n');
+    process.stderr.write(`${line!} See phong-viewer check --help.\n`);
     return 2;
   }
 }
@@ -49,7 +49,7 @@ async function checkFiles(args: readonly string[]): Promise<number> {
     allowPositionals: true,
     options: {
       csv: { type: 'boolean', default: false },
-      exercise: { type: 'string', default: '' },
+      exercise: { type: 'string' },
       browser: { type: 'string' },
       help: { type: 'boolean', short: 'h', default: false },
     },
@@ -61,9 +61,11 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   const [page, ...files] = positionals;
   if (page === undefined || files.length === 0) throw new Error('Name a page and files.');
   for (const file of positionals) {
-    if (!existsSync(file)) throw new Error(`There is no file ${file}.`);
+    if (!isFile(file)) throw new Error(`There is no file ${file}.`);
   }
-  const selector = `phong-exercise${values.exercise === '' ? '' : `#${values.exercise}`}`;
+  // An id may be a number.
+  const id = values.exercise === undefined ? '' : `[id=${JSON.stringify(values.exercise)}]`;
+  const selector = `phong-exercise${id}`;
   const browser = await launch(values.browser);
   let isWell = true;
   try {
@@ -107,7 +109,8 @@ async function launch(executablePath: string | undefined): Promise<Browser> {
 /** Of the page and what lies beside and below: modules do not load from disk. */
 const ORIGIN = 'http://localhost';
 
-const QUIET = { throwIfNoEntry: false } as const;
+const isFile = (path: string): boolean =>
+  statSync(path, { throwIfNoEntry: false })?.isFile() === true;
 
 async function openExercise(browser: Browser, file: string, selector: string): Promise<Locator> {
   const root = resolve(file).startsWith(resolve() + sep) ? resolve() : dirname(resolve(file));
@@ -115,14 +118,15 @@ async function openExercise(browser: Browser, file: string, selector: string): P
   await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
     const path = resolve(root, `.${decodeURIComponent(pathname)}`);
-    const isFile = path.startsWith(root + sep) && statSync(path, QUIET)?.isFile() === true;
-    await route.fulfill(isFile ? { path } : { status: 404 });
+    const isServed = path.startsWith(root + sep) && isFile(path);
+    await route.fulfill(isServed ? { path } : { status: 404 });
   });
   const address = relative(root, file).split(sep).map(encodeURIComponent).join('/');
   await page.goto(`${ORIGIN}/${address}`);
   const exercise = page.locator(selector).first();
   try {
-    await exercise.getByRole('textbox').waitFor({ timeout: 20_000 });
+    // It may be in a part of the page that is closed.
+    await exercise.locator('textarea').waitFor({ state: 'attached', timeout: 20_000 });
   } catch {
     throw new Error(`The page shows no ${selector}.`);
   }
@@ -155,7 +159,7 @@ async function runInPage(element: Element, source: string): Promise<Result> {
     return found?.getContext('2d')?.getImageData(0, 0, found.width, found.height);
   });
   let pixel: Result['pixel'] = null;
-  for (let i = 0; fault === '' && own && exact && pixel === null && i < own.data.length; i += 4) {
+  for (let i = 0; own && exact && pixel === null && i < own.data.length; i += 4) {
     const [found, asked] = [own, exact].map(({ data }) => Array.from(data.slice(i, i + 3)));
     if (found!.some((code, k) => Math.abs(code - asked![k]!) > 1)) {
       const at = i / 4;
