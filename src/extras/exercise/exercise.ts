@@ -188,7 +188,6 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   #template(value: string): TemplateResult {
     const lines = Math.min(value.split('\n').length, MOST_LINES);
-    const bad = new Set(this.#faults.map(({ line }) => line));
     const help = this.#say(
       'The function returns the light of one lamp at one point. It is not clamped: the sum over the lamps is. Colours are from 0 to 1; angles are in degrees; p, normal and eye are in world space. normal and axis have any length but zero; position.w is 0 for a direction and 1 for a place; aperture is the angle from the axis to the edge of the cone, 180 without one; the exponent is from 1 to 256.',
     );
@@ -197,7 +196,9 @@ class Exercise extends ExtraElement<ExerciseValues> {
         <div class="code">
           <div class="numbers" aria-hidden="true">
             ${Array.from({ length: lines }, (_, i) =>
-              bad.has(i + 1) ? html`<b>${i + 1}</b>` : html`<span>${i + 1}</span>`,
+              this.#faults.some(({ line }) => line === i + 1)
+                ? html`<b>${i + 1}</b>`
+                : html`<span>${i + 1}</span>`,
             )}
           </div>
           <textarea
