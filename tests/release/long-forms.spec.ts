@@ -2,9 +2,7 @@
 
 import { expectSmooth, filmZoom, loadAgain } from '../element/children/round-levels.js';
 import { expectRecovery } from '../element/faults/fault-history.js';
-import { expectFewPrograms } from '../element/frames/program-walk.js';
 import { expectAsNew, seedsFrom } from '../element/histories/history.js';
-import { logGl } from '../element/support/gl-log.js';
 import { fuzzModels } from '../fuzz/model-run.js';
 import { testContract } from '../glsl/contract-run.js';
 import { test } from '../support/test.js';
@@ -69,18 +67,5 @@ test('@release zooms of 150 frames show no jump and no blank frame', async ({ pa
   test.setTimeout(HOUR / 12);
   for (const geometry of ['sphere', 'torus', 'cylinder', 'cone']) {
     expectSmooth(await filmZoom(page, mount, geometry, 150, { width: 160, height: 120 }), geometry);
-  }
-});
-
-// Of element/frames/programs.spec.ts.
-test(`@release walks of 400 steps make a general program per feature set (seed ${SEED})`, async ({
-  page,
-  mount,
-}) => {
-  test.setTimeout(HOUR / 2);
-  await logGl(page);
-  for (let seed = SEED; seed < SEED + 5; seed++) {
-    const viewer = await mount('<phong-viewer></phong-viewer>', { width: 60, height: 42 });
-    await expectFewPrograms(page, viewer, seed, 400);
   }
 });

@@ -1,11 +1,13 @@
-// Which states share a general program? Undeclared features cost none.
+// Which states share a general program, and how many specialised ones are kept? Undeclared features
+// cost none.
 
 import fc from 'fast-check';
-import { Texture } from 'three';
+import { Camera, Mesh, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { declaredFeatures } from '../../../src/phong/light/light-features.js';
 import { type LightValues, TERMS } from '../../../src/phong/light/light-state.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
+import { ProgramCache } from '../../../src/phong/material/program/program-cache.js';
 import {
   generalVariant,
   type MaterialFeatures,
@@ -17,6 +19,7 @@ import {
   type ShadingStyle,
 } from '../../../src/phong/material/material-values.js';
 import { anyLight, light } from '../arbitraries.js';
+import { FakeRenderer } from '../fake-renderer.js';
 
 /**
  * What differs from a plain material: fields of its look, of its style and the others, side by
@@ -93,4 +96,26 @@ describe('the general program', () => {
       }),
     );
   });
+});
+
+it('32 specialised programs are kept at most, whatever is drawn after each other', () => {
+  const { renderer, compiled } = new FakeRenderer();
+  const draw = { renderer, camera: new Camera(), mesh: new Mesh() };
+  const cache = new ProgramCache(0);
+  const live = new Set<unknown>();
+  let shown = 0;
+  for (let frame = 0; frame < 2400; frame++) {
+    cache.begin();
+    const key = String(Math.floor(frame / 30));
+    const variant = cache.choose(key, draw, () =>
+      generalVariant(materialOf(), declaredFeatures([]), 0),
+    );
+    shown += Number(variant !== null);
+    for (const material of compiled.splice(0)) {
+      live.add(material);
+      material.addEventListener('dispose', () => live.delete(material));
+    }
+    expect(live.size).toBeLessThanOrEqual(32);
+  }
+  expect(shown).toBeGreaterThan(80);
 });
