@@ -6,10 +6,13 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
-import { readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
+import { readScene, sceneElement, sourcesOf, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
-/** Milliseconds without a keystroke before the scene is in the address. */
+/**
+ * Milliseconds without a keystroke before the scene is in the address, and before a new file is
+ * fetched: the address of one is typed letter by letter.
+ */
 const ADDRESS_MS = 400;
 /** Milliseconds without a change in the picture before it is written into the markup. */
 const SETTLE_MS = 300;
@@ -35,7 +38,13 @@ let editor: Editor | null = null;
 // -- From the text to the picture
 // -------------------------------------------------------------------------------------------------
 
-function write(next: string): void {
+/** The timer of a text whose new files are not fetched yet; 0 for none. */
+let typing = 0;
+
+/** @param typed whether someone is writing: then new files wait for a pause. */
+function write(next: string, typed = false): void {
+  clearTimeout(typing);
+  typing = 0;
   text = next;
   const scene = readScene(text, document.baseURI);
   if (typeof scene === 'string') {
@@ -46,6 +55,11 @@ function write(next: string): void {
   const waiting = scene.hosts.filter((host) => !allowed.has(host));
   askFor(waiting);
   const permitted = withoutHosts(scene, allowed, document.baseURI);
+  const present = new Set(shown === null ? [] : sourcesOf(shown));
+  if (typed && sourcesOf(permitted).some((source) => !present.has(source))) {
+    typing = window.setTimeout(() => write(text), ADDRESS_MS);
+    return;
+  }
   touched = false;
   showScene(viewer, shown, permitted);
   shown = permitted;
@@ -99,8 +113,8 @@ function settle(): void {
 }
 
 function writeBack(): void {
-  // Files that wait for a click are not in the viewer, and so not in its markup.
-  if (!gate.hidden) return;
+  // Files that wait for a click or a pause are not in the viewer, and so not in its markup.
+  if (!gate.hidden || typing !== 0) return;
   const markup = liveMarkup();
   if (markup === shownMarkup) return;
   const scene = readScene(markup, document.baseURI);
@@ -242,7 +256,7 @@ async function openPicture(file: File): Promise<void> {
 // -------------------------------------------------------------------------------------------------
 
 const typed = (next: string): void => {
-  write(next);
+  write(next, true);
   remember();
 };
 

@@ -190,6 +190,13 @@ export function sceneElement(scene: Scene): Element | null {
   return compare;
 }
 
+/** The files that the scene loads. */
+export const sourcesOf = ({ elements, others }: Scene): readonly string[] =>
+  [elements, ...others]
+    .flat()
+    .flatMap(({ attributes: all }) => [...all].filter(([name]) => LOADING.has(name)))
+    .map(([, source]) => source);
+
 /** The scene without the files of other hosts, unless the user has allowed these. */
 export function withoutHosts(scene: Scene, allowed: ReadonlySet<string>, base: string): Scene {
   const permitted = ({ tag, attributes: all }: SceneElement): SceneElement => ({

@@ -65,7 +65,10 @@ function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
 /** The viewers of the page have one budget: each gets an equal share, a whole number. */
 function limit(viewer: Viewer, { others }: Scene): void {
   const count = 1 + others.length;
-  viewer.maxTriangles = Math.floor(MOST_TRIANGLES / count);
+  const triangles = Math.floor(MOST_TRIANGLES / count);
+  // Setting a limit asks again for all files that have failed.
+  if (viewer.maxTriangles === triangles) return;
+  viewer.maxTriangles = triangles;
   viewer.maxMemory = Math.floor(MOST_MEMORY / count);
 }
 

@@ -5,7 +5,7 @@ import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
 import { allReady, expect, test } from '../../support/test.js';
 import { takeNoSamples } from '../../support/site-pages.js';
-import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
+import type { PhongViewer } from '../support/viewer.js';
 
 test.beforeEach(({ page }) => takeNoSamples(page));
 
@@ -18,28 +18,6 @@ async function figure(page: Page, id: string): Promise<Locator> {
   const found = page.locator(`#${id}`);
   await found.scrollIntoViewIfNeeded();
   return found;
-}
-
-/** Turns the first picture of a figure and expects the others to follow. */
-async function expectTurnedTogether(page: Page, id: string): Promise<void> {
-  const viewers = (await figure(page, id)).locator(
-    'phong-viewer[camera-group], phong-compare phong-viewer',
-  );
-  const angles = (): Promise<string[]> =>
-    viewers.evaluateAll((all) =>
-      all.map((viewer) => {
-        const { theta, phi, radius } = (viewer as unknown as PhongViewer).camera;
-        return [theta, phi, radius].map((value) => value.toFixed(6)).join(' ');
-      }),
-    );
-  const before = await angles();
-  expect(before.length).toBeGreaterThan(1);
-  const { x, y, width, height } = (await viewers.first().boundingBox())!;
-  await drag(page, [x + 0.2 * width, y + 0.7 * height], [25, 4]);
-  await nextFrame(page);
-  const after = await angles();
-  expect(after[0]).not.toBe(before[0]);
-  expect(new Set(after).size).toBe(1);
 }
 
 /** Every figure of the open page is on paper, within its width. */
@@ -92,7 +70,7 @@ test('the figures of the page about light behave as their captions say', async (
     await expect(cone.locator('pre')).not.toContainText('aperture="18"');
     const aperture = await cone
       .locator('phong-viewer')
-      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.aperture);
+      .evaluate((viewer: PhongViewer) => viewer.lights[0]!.aperture);
     expect(aperture).toBeGreaterThan(20);
     await expect(cone.locator('pre')).toContainText(`aperture="${aperture}"`);
     // The rest stays as its author wrote it.
@@ -103,9 +81,7 @@ test('the figures of the page about light behave as their captions say', async (
     await decay.getByRole('spinbutton', { name: 'cutoff' }).fill('2');
     const cutoffs = await decay
       .locator('phong-viewer')
-      .evaluateAll((all) =>
-        all.map((viewer) => (viewer as unknown as PhongViewer).lights[0]!.cutoff),
-      );
+      .evaluateAll((all: PhongViewer[]) => all.map(({ lights }) => lights[0]!.cutoff));
     expect(cutoffs).toEqual([2, 2]);
   });
   await test.step('the listing of a comparison holds all of its viewers', async () => {
@@ -115,11 +91,6 @@ test('the figures of the page about light behave as their captions say', async (
     expect(text).toMatch(/^<phong-compare labels="Gouraud, Phong">\n {2}<phong-viewer/);
     expect(text.match(/<phong-viewer/g)).toHaveLength(2);
     expect(text.trim()).toMatch(/<\/phong-viewer>\n<\/phong-compare>$/);
-  });
-  await test.step('turning one picture of a figure turns the others', async () => {
-    for (const id of ['fig-terms', 'fig-near-far']) {
-      await expectTurnedTogether(page, id);
-    }
   });
   await test.step('every figure is on paper', () => expectPrinted(page));
 });
@@ -131,7 +102,7 @@ test('lights that are drawn can be moved by keys, and the markup below follows; 
   const position = (): Promise<string> =>
     page
       .locator('#live-1 phong-viewer')
-      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.position.join(' '));
+      .evaluate((viewer: PhongViewer) => viewer.lights[0]!.position.join(' '));
   const before = await position();
   await page.getByRole('option', { name: /^spot/ }).first().focus();
   await page.keyboard.press('Enter');

@@ -101,21 +101,26 @@ test('changes by the panel are written into the markup, and can be changed there
   await expect(viewer.locator('phong-light[diffuse="7"]')).toHaveCount(2);
 });
 
-test('typing keeps the unchanged parts: the model is fetched once, the camera stays', async ({
+test('typing fetches each model once, missing ones too, and none by half of its name', async ({
   page,
+  consoleGuard,
 }) => {
-  let fetched = 0;
+  consoleGuard.allow(/404/, 2);
+  const fetched: string[] = [];
   page.on('request', (request) => {
-    if (request.url().endsWith('.glb')) {
-      fetched += 1;
-    }
+    fetched.push(...(/[\w-]*\.glb$/.exec(request.url()) ?? []));
   });
-  const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb"');
+  const scene = SCENE.replace(
+    'geometry="sphere"',
+    'src="../assets/models/bunny.glb"></phong-mesh><phong-mesh src="none.glb"',
+  );
   const viewer = await open(page, scene);
-  await rewrite(page, scene.replace('1 2 3 0', '3 2 1 0'));
+  await rewrite(page, scene.replace('1 2 3 0', '3 2 1 0').replace(/<\/phong-viewer>\s/, ''));
+  await page.keyboard.type('<phong-mesh src=no.glb></phong-mesh>');
   await expect(viewer.locator('phong-light')).toHaveAttribute('position', '3 2 1 0');
+  await expect(viewer.locator('[src="no.glb"]')).toHaveCount(1);
   await allReady(page);
-  expect(fetched).toBe(1);
+  expect(fetched).toEqual(['bunny.glb', 'none.glb', 'no.glb']);
 });
 
 test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
