@@ -11,7 +11,7 @@ import {
 } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { HighlightStyle, LRLanguage, syntaxHighlighting, syntaxTree } from '@codemirror/language';
-import { Annotation, EditorState, type Range } from '@codemirror/state';
+import { Annotation, EditorState, type Range, StateEffect, StateField } from '@codemirror/state';
 import {
   Decoration,
   type DecorationSet,
@@ -23,12 +23,15 @@ import {
 import { tags as kinds } from '@lezer/highlight';
 import { parser } from '@lezer/html';
 import tags from 'virtual:html-data';
+import type { Place } from './remarks.js';
 
 export interface Editor {
   /**
    * Replaces what differs from the text, as one step that can be undone. Does not call `changed`.
    */
   setText(text: string): void;
+  /** Underlines these places, and no others. */
+  mark(places: readonly Place[]): void;
 }
 
 /** Marks changes that come from the page, not from the writer. */
@@ -57,6 +60,7 @@ export function startEditor(
         keymap.of([...completionKeymap, ...defaultKeymap, ...historyKeymap]),
         EditorView.lineWrapping,
         unbrokenAttributes,
+        faults,
         EditorView.domEventHandlers({ beforeinput: replaceSelected }),
         EditorView.contentAttributes.of({
           'aria-label': 'Markup of the scene',
@@ -94,8 +98,29 @@ export function startEditor(
         annotations: fromPage.of(true),
       });
     },
+    mark(places) {
+      view.dispatch({
+        effects: setFaults.of(
+          Decoration.set(
+            places.map(({ from, to }) => fault.range(from, to)),
+            true,
+          ),
+        ),
+      });
+    },
   };
 }
+
+const fault = Decoration.mark({ class: 'cm-fault' });
+const setFaults = StateEffect.define<DecorationSet>();
+
+/** The underlined places. They move with the text until they are set again. */
+const faults = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update: (marks, { changes, effects }) =>
+    effects.find((effect) => effect.is(setFaults))?.value ?? marks.map(changes),
+  provide: (field) => EditorView.decorations.from(field),
+});
 
 /**
  * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old
@@ -186,6 +211,7 @@ const theme = EditorView.theme({
   '.cm-content': { padding: '0.5rem 0', caretColor: 'var(--ink)' },
   '.cm-line': { padding: '0 0.75rem' },
   '.cm-attribute': { display: 'inline-block', maxWidth: '100%' },
+  '.cm-fault': { textDecoration: 'underline wavy var(--specular) 1px', textUnderlineOffset: '3px' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)' },
   '.cm-tooltip': {
     backgroundColor: 'var(--paper)',

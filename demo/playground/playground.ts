@@ -6,6 +6,7 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
+import { forgetCurrent, hearRemarks, remarksOn } from './remarks.js';
 import { readScene, sceneElement, sourcesOf, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
@@ -46,6 +47,7 @@ function write(next: string, typed = false): void {
   clearTimeout(typing);
   typing = 0;
   text = next;
+  forgetCurrent();
   const scene = readScene(text, document.baseURI);
   if (typeof scene === 'string') {
     say([scene]);
@@ -69,15 +71,36 @@ function write(next: string, typed = false): void {
 /** Of the viewer, or of the comparison that it is in. */
 const liveMarkup = (): string => (viewer.closest('phong-compare') ?? viewer).toHTML();
 
+/** What the page itself says of the text. */
+let said: readonly string[] = [];
+
 function say(messages: readonly string[]): void {
-  part('messages').replaceChildren(
-    ...messages.map((message) => {
-      const item = document.createElement('li');
-      item.textContent = message;
-      return item;
-    }),
-  );
+  said = messages;
+  report();
 }
+
+/** Shows what the page and the package say, and marks the values in the text. */
+function report(): void {
+  const remarks = remarksOn(text);
+  const all = remarks.map(({ sentence, place }) =>
+    place === null
+      ? sentence
+      : `Line ${String(text.slice(0, place.from).split('\n').length)}: ${sentence}`,
+  );
+  editor?.mark(remarks.flatMap(({ place }) => place ?? []));
+  const items = [...said, ...all].map((message) => {
+    const item = document.createElement('li');
+    item.textContent = message;
+    return item;
+  });
+  const list = part('messages');
+  // Screen readers would read the same sentences again.
+  if (items.map((item) => item.outerHTML).join('') !== list.innerHTML) {
+    list.replaceChildren(...items);
+  }
+}
+
+hearRemarks(() => report());
 
 /** Shows a question with one button, or nothing if no host waits. */
 function askFor(hosts: readonly string[]): void {
@@ -124,6 +147,7 @@ function writeBack(): void {
   text = written(scene);
   area.value = text;
   editor?.setText(text);
+  report();
   remember();
 }
 
@@ -196,7 +220,9 @@ async function open(): Promise<void> {
 }
 
 /** Shows a text that did not come from the editor. */
-function start(next: string): void {
+function start(given: string): void {
+  // The editor's lines end so: places in the text are the same in both.
+  const next = given.replaceAll(/\r\n?/g, '\n');
   choice.value = EXAMPLES.find((e) => textOf(e.text) === next)?.name ?? '';
   area.value = next;
   editor?.setText(next);
@@ -325,6 +351,7 @@ await Promise.race([
 const { startEditor } = await import('./editor.js');
 const focused = document.activeElement === area;
 editor = startEditor(part('editor'), text, typed);
+report();
 if (focused) {
   part('editor').querySelector<HTMLElement>('.host')?.focus();
 }

@@ -123,6 +123,24 @@ test('typing fetches each model once, missing ones too, and none by half of its 
   expect(fetched).toEqual(['bunny.glb', 'none.glb', 'no.glb']);
 });
 
+test('a bad value is named with its line and marked, each time it is there', async ({
+  page,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/position="1 2"/, 1);
+  const bad = SCENE.replace('1 2 3 0', '1 2');
+  await open(page, bad);
+  const messages = page.locator('#messages');
+  for (let i = 0; i < 2; i++) {
+    await expect(messages).toContainText('Line 2: <phong-light> position="1 2": expected');
+    await expect(page.locator('.cm-fault')).toHaveText('position="1 2"');
+    await rewrite(page, SCENE);
+    await expect(messages).toBeEmpty();
+    await expect(page.locator('.cm-fault')).toHaveCount(0);
+    await rewrite(page, bad);
+  }
+});
+
 test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
   page,
 }) => {
