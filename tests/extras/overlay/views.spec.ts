@@ -154,23 +154,25 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
   expect(rounds).toEqual([rounds[0], rounds[0], rounds[0]]);
 });
 
-test('the title of a small legend stays whole while the lights beside it give way', async ({
-  mount,
-}) => {
-  const markup = '<phong-viewer geometry="sphere" view="specular"></phong-viewer>';
-  const viewer = await mount(markup, { width: 152, height: 90 });
-  const cut = await legendOf(viewer)
-    .locator('p')
-    .evaluateAll((texts) =>
-      texts.map((one) => {
-        const text = document.createRange();
-        text.selectNodeContents(one);
-        return text.getBoundingClientRect().width - one.getBoundingClientRect().width;
-      }),
-    );
-  expect(cut[0]).toBe(0);
-  expect(cut[1]).toBeGreaterThan(1);
-});
+for (const view of ['specular', 'attenuation']) {
+  test(`the title of a small legend of ${view} stays whole while the rest gives way`, async ({
+    mount,
+  }) => {
+    const markup = `<phong-viewer geometry="sphere" view="${view}"></phong-viewer>`;
+    const viewer = await mount(markup, { width: 148, height: 110 });
+    const cut = await legendOf(viewer)
+      .locator('p')
+      .evaluateAll((texts) =>
+        texts.map((one) => {
+          const text = document.createRange();
+          text.selectNodeContents(one);
+          return text.getBoundingClientRect().width - one.getBoundingClientRect().width;
+        }),
+      );
+    expect(cut[0]).toBe(0);
+    expect(cut[1]).toBeGreaterThan(1);
+  });
+}
 
 test('the legend can be styled and hidden, and stays inside small viewers', async ({
   page,
