@@ -197,22 +197,25 @@ test('speaks the page’s language, works under a strict policy, prints name and
   await page.emulateMedia({ media: null });
 });
 
-test('in a sentence a number without a label is alone, is rounded as `step` says, and one edit is one step', async ({
+test('in a sentence what has no label is alone, a number is rounded as `step` says, and one edit is one step', async ({
   page,
   mount,
 }) => {
   const viewer = await mount(
-    `<main lang="de">${scene}<p>Öffnung ${control('for="spot" attribute="aperture" step="1"')}, mit Namen ${control('for="spot" attribute="cutoff"', 'weich')}.</p>${control('for="spot" attribute="active"')}</main>`,
+    `<main lang="de">${scene}<p>Öffnung ${control('for="spot" attribute="aperture" step="1"')}, mit Namen ${control('for="spot" attribute="cutoff"', 'weich')}, Farbe ${control('for="spot" attribute="diffuse"')}.</p>${control('for="spot" attribute="active"')}</main>`,
     { head: '<script type="application/json" data-phong-viewer-texts>{"on":"an"}</script>' },
   );
   const light = page.locator('#spot');
   await assign(light, { aperture: 30.123456 });
-  const [number, named, flag] = [0, 1, 2].map((i) => page.locator('phong-control').nth(i));
+  const [number, named, colour, flag] = [0, 1, 2, 3].map((i) =>
+    page.locator('phong-control').nth(i),
+  );
   const field = page.getByRole('spinbutton', { name: 'aperture' });
   await expect(field).toHaveValue('30');
   const nameWidth = (of: Locator): Promise<number> =>
     of.locator('[part~=label]').evaluate((label) => label.getBoundingClientRect().width);
   expect(await nameWidth(number!)).toBeLessThanOrEqual(1);
+  expect(await nameWidth(colour!)).toBeLessThanOrEqual(1);
   expect(await nameWidth(named!)).toBeGreaterThan(10);
   await field.focus();
   for (let presses = 0; presses < 3; presses++) {
