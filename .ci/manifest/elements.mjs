@@ -53,7 +53,9 @@ export function describeElements({ fields, attributeOf, formatValue }) {
       (s) => ts.isClassDeclaration(s) && implementsElement(s, className),
     );
     if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile) {
-      throw new Error(`${tag}: no class`);
+      throw new Error(
+        `src/viewer/element/${tag}.ts: no class that implements ${className}, named ${className.replace('Phong', '')}Element`,
+      );
     }
     const parts = reader.classParts(declaration);
     return {

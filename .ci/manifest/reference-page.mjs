@@ -11,7 +11,7 @@ const [OPEN, CLOSE] = ['<!-- elements: written by npm run manifest -->', '<!-- /
 
 /**
  * The elements in the order in which they are written: a scene needs a light and a mesh before it
- * needs the rest.
+ * needs the rest. Others follow.
  */
 const ORDER = [
   'phong-light',
@@ -29,9 +29,8 @@ const ORDER = [
  */
 export function referencePage(page, elements) {
   const mesh = elements.find(({ tag }) => tag === 'phong-mesh')?.values ?? [];
-  const inOrder = ORDER.map((tag) => elements.find((element) => element.tag === tag)).filter(
-    (element) => element !== undefined,
-  );
+  const rank = (/** @type {Element} */ { tag }) => ORDER.indexOf(tag) >>> 0;
+  const inOrder = [...elements].sort((a, b) => rank(a) - rank(b));
   const part = inOrder.map((element) => section(element, mesh)).join('\n');
   const [from, to] = [page.indexOf(OPEN), page.indexOf(CLOSE)];
   if (from < 0 || to < from) throw new Error(`The page has lost its marks ${OPEN} and ${CLOSE}`);

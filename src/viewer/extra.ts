@@ -9,13 +9,14 @@ export type {
   PhongViewer,
   PictureOptions,
   ProbeDetail,
+  ValuesByTag,
 } from './element/elements.js';
 export type { MistakeTests } from './element/extra-code.js';
 export { ExtraElement } from './element/extra-element.js';
 export { cssColor } from './element/fields/css-color.js';
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
 export { VIEWER_FIELDS } from './element/fields/viewer-fields.js';
-export { fieldsOf, hostOf, sceneMeshes, type ValuesByTag } from './element/internals.js';
+export { fieldsOf, hostOf, sceneMeshes } from './element/internals.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles } from './element/page/style-sheets.js';

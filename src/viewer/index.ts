@@ -7,6 +7,7 @@
 import { litWasImported } from './element/page/trusted-types.js';
 import './extras.js';
 import './element/page/early-requests.js';
+import type { ElementsByTag } from './element/elements.js';
 import { PhongCompare } from './element/phong-compare.js';
 import { PhongControl } from './element/phong-control.js';
 import { PhongExercise } from './element/phong-exercise.js';
@@ -25,15 +26,16 @@ if (page !== undefined && page.contentType !== 'text/html') {
     `<phong-viewer>: the page is served as ${page.contentType}, so the elements are not defined. Serve it as text/html.`,
   );
 } else if (page !== undefined) {
-  for (const [name, element] of [
-    ['phong-light', PhongLight],
-    ['phong-mesh', PhongMesh],
-    ['phong-viewer', PhongViewer],
-    ['phong-compare', PhongCompare],
-    ['phong-control', PhongControl],
-    ['phong-probe', PhongProbe],
-    ['phong-exercise', PhongExercise],
-  ] as const) {
+  const classes: { readonly [T in keyof ElementsByTag]: new () => ElementsByTag[T] } = {
+    'phong-light': PhongLight,
+    'phong-mesh': PhongMesh,
+    'phong-viewer': PhongViewer,
+    'phong-compare': PhongCompare,
+    'phong-control': PhongControl,
+    'phong-probe': PhongProbe,
+    'phong-exercise': PhongExercise,
+  };
+  for (const [name, element] of Object.entries(classes)) {
     if (customElements.get(name) === undefined) {
       customElements.define(name, element);
     }

@@ -31,6 +31,8 @@ import type {
 } from '../../src/viewer/element/fields/viewer-fields.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import type { MeshValues } from '../../src/phong/model/mesh-fields.js';
+import * as components from '../../src/extras/frameworks/react.js';
+import * as classes from '../../src/viewer/index.js';
 import { PhongLight } from '../../src/viewer/element/phong-light.js';
 import { PhongMesh } from '../../src/viewer/element/phong-mesh.js';
 
@@ -52,6 +54,17 @@ const data = vsCodeHtmlData(elements).tags;
 it('the tables of the reference are written from the source (`npm run manifest` writes them again)', () => {
   const page = readFileSync(new URL('../../demo/guide/reference.md', import.meta.url), 'utf8');
   expect(page).toBe(referencePage(page, elements));
+});
+
+it('every element has a class, a React component, and a page of posters that waits for it', () => {
+  const lazy = readFileSync(new URL('../../src/extras/lazy/index.ts', import.meta.url), 'utf8');
+  for (const { tag, className } of elements) {
+    expect(Object.keys(classes)).toContain(className);
+    expect(Object.keys(components)).toContain(className);
+    if (!['phong-light', 'phong-mesh'].includes(tag)) {
+      expect(lazy).toContain(tag);
+    }
+  }
 });
 
 it('the exports of the package follow from its entries (`npm run manifest` writes them again)', () => {

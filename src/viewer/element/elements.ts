@@ -1,18 +1,19 @@
 // The elements, their events and explanations, as their users and each other's parts see them. The
 // classes implement these types. Types only.
 import type { LightValues } from '../../phong/light/light-state.js';
+import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
 import type { SlipId } from '../../phong/mistakes/slips.js';
 import type { LightShare } from '../../phong/reference/index.js';
 import type { ViewportStats } from '../scene/viewport-stats.js';
-import type { CompareProperties } from './fields/compare-fields.js';
-import type { ControlProperties } from './fields/control-properties.js';
-import type { ExerciseProperties } from './fields/exercise-properties.js';
-import type { ProbeProperties } from './fields/probe-properties.js';
+import type { CompareProperties, CompareValues } from './fields/compare-fields.js';
+import type { ControlProperties, ControlValues } from './fields/control-properties.js';
+import type { ExerciseProperties, ExerciseValues } from './fields/exercise-properties.js';
+import type { ProbeProperties, ProbeValues } from './fields/probe-properties.js';
 import type { Inputs, LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
-import type { ViewerProperties } from './fields/viewer-fields.js';
+import type { ViewerProperties, ViewerValues } from './fields/viewer-fields.js';
 import type { LitElement } from 'lit';
 import type { Mesh, Scene } from 'three';
 
@@ -251,16 +252,34 @@ export interface CameraState {
   readonly radius: number;
 }
 
+/**
+ * The elements by their tags. One without values (`ValuesByTag`) or without a class in
+ * `viewer/index.ts` does not compile.
+ */
+export interface ElementsByTag {
+  'phong-light': PhongLight;
+  'phong-mesh': PhongMesh;
+  'phong-viewer': PhongViewer;
+  'phong-compare': PhongCompare;
+  'phong-control': PhongControl;
+  'phong-probe': PhongProbe;
+  'phong-exercise': PhongExercise;
+}
+
+/** What elements declare, by their tags. */
+export interface ValuesByTag {
+  'phong-light': LightValues;
+  'phong-mesh': MeshValues;
+  'phong-viewer': ViewerValues;
+  'phong-compare': CompareValues;
+  'phong-control': ControlValues;
+  'phong-probe': ProbeValues;
+  'phong-exercise': ExerciseValues;
+}
+
 declare global {
-  interface HTMLElementTagNameMap {
-    'phong-light': PhongLight;
-    'phong-mesh': PhongMesh;
-    'phong-viewer': PhongViewer;
-    'phong-compare': PhongCompare;
-    'phong-control': PhongControl;
-    'phong-probe': PhongProbe;
-    'phong-exercise': PhongExercise;
-  }
+  // oxlint-disable-next-line typescript/no-empty-object-type
+  interface HTMLElementTagNameMap extends ElementsByTag {}
 }
 
 export interface ViewerErrorDetail {

@@ -1,26 +1,8 @@
 // What this package's own code, the panel included, can reach on an element while users cannot.
-import type { LightValues } from '../../phong/light/light-state.js';
-import type { MeshValues } from '../../phong/model/mesh-fields.js';
-import type { CompareValues } from './fields/compare-fields.js';
-import type { ControlValues } from './fields/control-properties.js';
-import type { ExerciseValues } from './fields/exercise-properties.js';
-import type { ProbeValues } from './fields/probe-properties.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
-import type { ViewerValues } from './fields/viewer-fields.js';
 import type { SceneMesh } from '../scene/mesh/scene-mesh.js';
-import type { PhongMesh, PhongViewer } from './elements.js';
+import type { PhongMesh, PhongViewer, ValuesByTag } from './elements.js';
 import type { ExtraHost } from './viewer/extra-host.js';
-
-/** What elements declare, by their tags. */
-export interface ValuesByTag {
-  'phong-light': LightValues;
-  'phong-mesh': MeshValues;
-  'phong-viewer': ViewerValues;
-  'phong-compare': CompareValues;
-  'phong-control': ControlValues;
-  'phong-probe': ProbeValues;
-  'phong-exercise': ExerciseValues;
-}
 
 /** The declared values of an element, with checks as for its properties. */
 export const fieldsOf = <T extends keyof ValuesByTag>(

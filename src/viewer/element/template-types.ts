@@ -14,70 +14,41 @@ import type { JSX } from 'solid-js';
 import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 /** @ts-ignore */
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
-import type { LightValues } from '../../phong/light/light-state.js';
-import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import type {
-  PhongCompare,
+  ElementsByTag,
   PhongCompareEventMap,
-  PhongControl,
-  PhongExercise,
   PhongExerciseEventMap,
-  PhongLight,
-  PhongMesh,
   PhongMeshEventMap,
-  PhongProbe,
   PhongProbeEventMap,
-  PhongViewer,
   PhongViewerEventMap,
+  ValuesByTag,
 } from './elements.js';
-import type { CompareValues } from './fields/compare-fields.js';
-import type { ControlValues } from './fields/control-properties.js';
-import type { ExerciseValues } from './fields/exercise-properties.js';
-import type { ProbeProperties } from './fields/probe-properties.js';
-import type { Inputs, ValuesOf } from './fields/properties.js';
+import type { Inputs } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
-import type { ViewerValues } from './fields/viewer-fields.js';
 
-/** `properties`: those without an attribute. */
-interface Elements {
-  'phong-light': { element: PhongLight; values: LightValues; properties: object; events: object };
-  'phong-mesh': {
-    element: PhongMesh;
-    values: MeshValues;
-    properties: object;
-    events: PhongMeshEventMap;
-  };
-  'phong-viewer': {
-    element: PhongViewer;
-    values: ViewerValues;
-    properties: ViewerOwnProps;
-    events: PhongViewerEventMap;
-  };
-  'phong-compare': {
-    element: PhongCompare;
-    values: CompareValues;
-    properties: object;
-    events: PhongCompareEventMap;
-  };
-  'phong-control': {
-    element: PhongControl;
-    values: ControlValues;
-    properties: object;
-    events: object;
-  };
-  'phong-probe': {
-    element: PhongProbe;
-    values: ValuesOf<ProbeProperties>;
-    properties: object;
-    events: PhongProbeEventMap;
-  };
-  'phong-exercise': {
-    element: PhongExercise;
-    values: ExerciseValues;
-    properties: ExerciseOwnProps;
-    events: PhongExerciseEventMap;
-  };
+/** The events of the elements that have some. */
+interface Events {
+  'phong-mesh': PhongMeshEventMap;
+  'phong-viewer': PhongViewerEventMap;
+  'phong-compare': PhongCompareEventMap;
+  'phong-probe': PhongProbeEventMap;
+  'phong-exercise': PhongExerciseEventMap;
 }
+
+/** Properties without an attribute. */
+interface OwnProps {
+  'phong-viewer': ViewerOwnProps;
+  'phong-exercise': ExerciseOwnProps;
+}
+
+type Elements = {
+  [Tag in keyof ElementsByTag]: {
+    element: ElementsByTag[Tag];
+    values: ValuesByTag[Tag];
+    properties: Tag extends keyof OwnProps ? OwnProps[Tag] : object;
+    events: Tag extends keyof Events ? Events[Tag] : object;
+  };
+};
 
 /** Properties of `<phong-exercise>` without an attribute. */
 export interface ExerciseOwnProps {
