@@ -63,6 +63,8 @@ describe('the door of extras', () => {
 });
 
 it('every value of the viewer has a row in the panel, is said to have none, or an extra brings one', async () => {
+  const astray = Object.entries(VIEWER_ROWS).filter(([, row]) => row && !row.folder);
+  expect(astray, 'rows in no folder, which the panel would not show').toEqual([]);
   const left = Object.keys(VIEWER_FIELDS).filter((key) => !Object.hasOwn(VIEWER_ROWS, key));
   const brought = await Promise.all(panelRows.map((load) => load()));
   const row = () => ({ add: () => undefined });
