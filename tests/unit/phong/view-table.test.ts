@@ -1,9 +1,15 @@
 // Does every view of the table have the GLSL function that its program calls, of the type that its
 // legend's scale says, and every such function a view?
 
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { LIGHT_FIELDS, type LightValues } from '../../../src/phong/light/light-state.js';
+import { emptyPack } from '../../../src/phong/light/pack-lights.js';
+import { pictureView } from '../../../src/phong/material/view/picture-view.js';
 import { viewEntry, viewValue } from '../../../src/phong/material/view/view-table.js';
 import quantityText from '../../../shaders/view_quantity.glsl?raw';
+import { light, worldLight } from '../arbitraries.js';
+import { WORLD } from '../packed-reader.js';
 import { VIEWS } from '../../../src/phong/material/views.js';
 
 const quantities = VIEWS.flatMap((view) => {
@@ -21,6 +27,19 @@ describe('views that show a quantity', () => {
       `${head}Viewed at) {`,
     ]);
     expect(text).toContain('return VIEW_VALUE;');
+  });
+
+  it('follow every value of their light but its colours and its cone', () => {
+    const { pack, program } = pictureView('decay', (lights) => lights);
+    const lights = fc.sample(worldLight, { seed: 52, numRuns: 20 });
+    for (const [key, { shading }] of Object.entries(LIGHT_FIELDS)) {
+      if (typeof shading === 'string' || shading.as === 'light' || key === 'aperture') continue;
+      const seen = lights.map((one) => {
+        pack([light({ [key]: one[key as keyof LightValues] })], WORLD, emptyPack());
+        return JSON.stringify(program!.uniforms);
+      });
+      expect(new Set(seen).size, key).toBeGreaterThan(2);
+    }
   });
 
   it('are all that the GLSL has functions for', () => {
