@@ -108,6 +108,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     this.#former = this.#written ?? this.#former;
     this.#written = null;
     this.#faults = [];
+    this.#shown = null;
     this.root.querySelector('textarea')!.value = this.#given;
     this.#render();
   }
