@@ -32,7 +32,6 @@ function shownIn(element: PhongViewer, lightKeys: readonly string[]) {
     const { position, normal, uv } = geometry.attributes;
     objects.push({
       shape: {
-        kind: 'triangles',
         positions: position!.array,
         normals: normal!.array,
         ...(uv && { uvs: [uv.array] }),

@@ -1,10 +1,11 @@
 // From declared values to a scene for the ray caster: what a viewer of this size shows at first.
-import { Matrix4, Mesh, Scene, Vector3 } from 'three';
+import { Camera, Matrix4, Mesh, Scene, Vector3 } from 'three';
 import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightState, LightValues, Term } from '../../phong/light/light-state.js';
+import { cullsBackFaces } from '../../phong/material/back-faces.js';
 import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import { length, subtract, transformed, type Vec3 } from '../../phong/math/vector.js';
+import { transformed, type Vec3 } from '../../phong/math/vector.js';
 import { fitTo } from '../../phong/geometry/framing.js';
 import { chosenLights, unknownLightText } from '../../phong/material/view/view-light.js';
 import { type Quantity, viewEntry } from '../../phong/material/view/view-table.js';
@@ -15,19 +16,12 @@ import { LIMITS } from '../../phong/model/limits.js';
 import type { MeshState } from '../../phong/model/mesh-fields.js';
 import type { ContentPart } from '../../phong/model/model.js';
 import { sampledSegments } from '../../phong/model/shapes/segments.js';
-import { createGeometry } from '../../phong/model/shapes/shapes.js';
-import type {
-  CastMaterial,
-  CastObject,
-  CastOptions,
-  CastScene,
-  CastShape,
-  TrueShape,
-} from './cast-scene.js';
+import { CLOSED, createGeometry } from '../../phong/model/shapes/shapes.js';
+import type { CastCamera, CastMaterial, CastObject, CastOptions, CastScene } from './cast-scene.js';
 import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
-import { columnsOf, countOf, isFlattened, type Vec3Matrix } from './placed.js';
+import { countOf } from './placed.js';
 import { Screen } from './screen.js';
 import { measure } from '../../phong/geometry/bounds.js';
 import { type Frustum } from '../../phong/geometry/frustum-clip.js';
@@ -68,6 +62,7 @@ export async function castSceneOf(
   const camera = { eye: orbit.eye(), ...orbit.basis(), fov };
   const { slopeX, slopeY } = new Screen(camera, width, height);
   const seen: Seen = {
+    camera: threeCamera(camera, slopeX, slopeY),
     view: { frame: { ...camera, origin: ZERO }, slopeX, slopeY, radius },
     pixels: height / (2 * slopeY),
   };
@@ -75,11 +70,8 @@ export async function castSceneOf(
   let triangles = 0;
   for (const part of parts) {
     const object = await objectOf(part, values, seen);
-    const { shape } = object;
-    if (shape.kind === 'triangles') {
-      triangles += countOf(shape);
-      requireAtMost(triangles, LIMITS.triangles, 'triangles', 'The still has');
-    }
+    triangles += countOf(object.shape);
+    requireAtMost(triangles, LIMITS.triangles, 'triangles', 'The still has');
     objects.push(object);
   }
   const term = termOf(view);
@@ -116,7 +108,7 @@ async function partsOf(
     geometry: await createGeometry(geometry, undefined),
     matrix: new Matrix4(),
     look: PLAIN_LOOK,
-    sides: 'double',
+    sides: CLOSED.has(geometry) ? 'closed' : 'double',
     surface: {},
   };
   return [placed(part, geometry)];
@@ -131,16 +123,13 @@ async function objectOf(
   const shading = own.shading ?? viewer.shading;
   const matrix = object.matrixWorld.elements;
   let { geometry } = part;
-  let shape: CastShape | null = null;
   if (name !== null) {
     const { segments } = state.values;
     const fine =
       segments === 'auto' && shading === 'phong'
         ? sampledSegments(seen.view, seen.pixels, name, matrix)
         : null;
-    if (fine !== null && isTrue(name) && !isThin(columnsOf(matrix), seen)) {
-      shape = { kind: name };
-    } else if (fine !== null || segments !== 'auto') {
+    if (fine !== null || segments !== 'auto') {
       const count = fine ?? Number(segments);
       geometry = await createGeometry(name, count, fine !== null);
     }
@@ -154,7 +143,7 @@ async function objectOf(
     ...mesh.textures,
     shading,
     reflection: own.reflection ?? viewer.reflection,
-    single: sides === 'single',
+    single: cullsBackFaces(sides, geometry, object.matrixWorld, seen.camera),
     baseColor: isTerm && unlit ? ZERO : look.baseColor,
     emissive: isTerm ? ZERO : look.emissive,
     unlit,
@@ -171,29 +160,27 @@ async function objectOf(
   }
   const { x, y, z } = part.geometry.boundingSphere!.center;
   const center = transformed(matrix, x, y, z);
-  return { shape: shape ?? mesh.shape, matrix, center, material };
+  return { shape: mesh.shape, matrix, center, material };
 }
 
 /** The camera, and the pixels of a unit of length at depth 1. */
 interface Seen {
+  readonly camera: Camera;
   readonly view: Frustum;
   readonly pixels: number;
 }
 
 const ZERO: Vec3 = [0, 0, 0];
 
-/** A true shape that is thinner may hide between the points of a pixel, where triangles do not. */
-const LEAST_PIXELS = 4;
-
-/** Without an inverse, or so thin at its middle's distance. */
-function isThin(columns: Vec3Matrix, { view: { frame }, pixels }: Seen): boolean {
-  const { x, y, z, origin } = columns;
-  const least = (LEAST_PIXELS / pixels) * length(subtract(origin, frame.eye));
-  return isFlattened(columns) || [x, y, z].some((axis) => length(axis) < least);
+/** Its near plane is the eye, up to rounding. */
+function threeCamera({ eye, right, up, back }: CastCamera, x: number, y: number): Camera {
+  const camera = new Camera();
+  const [near, far] = [1e-9, 1];
+  camera.projectionMatrix.makePerspective(-x * near, x * near, y * near, -y * near, near, far);
+  const [a, b, c] = [right, up, back].map((axis) => new Vector3(...axis));
+  camera.matrixWorld.makeBasis(a!, b!, c!).setPosition(...eye);
+  return camera;
 }
-
-const isTrue = (name: GeometryName): name is TrueShape['kind'] =>
-  ['sphere', 'cylinder', 'cone'].includes(name);
 
 /** The one term that a view shows; null for all, or another quantity. */
 function termOf(view: View): Term | null {

@@ -60,8 +60,7 @@ export interface CastMaterial extends Surface {
  * Triangles as the shader draws them: the corners' unit normals are interpolated, and made unit per
  * sample. The arrays are in the mesh's own space.
  */
-export interface TrianglesShape {
-  readonly kind: 'triangles';
+export interface CastShape {
   readonly positions: ArrayLike<number>;
   readonly normals: ArrayLike<number>;
   readonly uvs?: readonly ArrayLike<number>[];
@@ -75,23 +74,10 @@ export interface TrianglesShape {
   readonly index?: ArrayLike<number>;
 }
 
-/**
- * The true shapes of `geometry`, in their own space. `sphere`: radius 1/2. `cylinder` and `cone`:
- * radius 1/2, y from −1/2 to 1/2, with their flat ends.
- */
-export interface TrueShape {
-  readonly kind: 'sphere' | 'cylinder' | 'cone';
-}
-
-export type CastShape = TrianglesShape | TrueShape;
-
 /** Where surfaces coincide, the last one shows. */
 export interface CastObject {
   readonly shape: CastShape;
-  /**
-   * To world space: 16 numbers by columns, as three.js has them; not singular for true shapes.
-   * Default: the identity.
-   */
+  /** To world space: 16 numbers by columns, as three.js has them. Default: the identity. */
   readonly matrix?: ArrayLike<number>;
   /**
    * In world space. Blended objects are drawn in the order of its depth, the farthest first. Default:

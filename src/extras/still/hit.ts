@@ -5,21 +5,18 @@ import type { Vec3 } from '../../phong/math/vector.js';
 export class Hit {
   /** Infinity: nothing is met. */
   t = Infinity;
-  /** Outward normal, any length; in the space of whoever wrote it. */
+  /** Unit, or zero; in world space. */
   normal: Vec3 = [0, 0, 0];
   /** Seen from the front. */
   front = true;
-  /** Index among all triangles and true shapes, in the scene's order. */
+  /** Index among all triangles, in the scene's order. */
   thing = -1;
   /** Index of the object in its scene. */
   object = -1;
-  /** Index among the object's triangles; -1 on a true shape. */
+  /** Index among the object's triangles. */
   triangle = -1;
   /** Shares of a triangle's corners; they add up to 1. */
   a = 0;
   b = 0;
   c = 0;
 }
-
-/** Finds the first hit nearer than `hit.t` of a ray from `o` along `d`, and writes it there. */
-export type Intersect = (o: Vec3, d: Vec3, hit: Hit) => boolean;

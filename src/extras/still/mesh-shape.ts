@@ -11,7 +11,7 @@ import {
 } from 'three';
 import type { BaseLook } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import type { CastMaterial, CastTexture, TrianglesShape } from './cast-scene.js';
+import type { CastMaterial, CastTexture, CastShape } from './cast-scene.js';
 
 /** What `images.ts` decodes. */
 export interface Pixels {
@@ -31,7 +31,7 @@ type Textures = Pick<
 export function meshShape(
   geometry: BufferGeometry,
   { map, emissiveMap, metalRoughMap, normalMap, vertexColors }: BaseLook,
-): { readonly shape: TrianglesShape; readonly textures: Textures } {
+): { readonly shape: CastShape; readonly textures: Textures } {
   const uvs: Float64Array[] = [];
   const textureOf = (name: keyof Textures, texture: Texture | null): Textures => {
     if (texture === null) return {};
@@ -49,8 +49,7 @@ export function meshShape(
   };
   const { position, normal, tangent, color } = geometry.attributes;
   const index = geometry.index?.array;
-  const shape: TrianglesShape = {
-    kind: 'triangles',
+  const shape: CastShape = {
     positions: numbersOf(position!),
     normals: numbersOf(normal!),
     uvs,

@@ -1,11 +1,8 @@
 // Shapes where the rays see them: from the eye, along the world's axes.
-import { add, cross, dot, length, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
-import type { CastShape, TrianglesShape, TrueShape } from './cast-scene.js';
-import type { Intersect } from './hit.js';
-import { trueShape } from './true-shapes.js';
+import { add, cross, dot, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import type { CastShape } from './cast-scene.js';
 
 export interface PlacedTriangles {
-  readonly kind: 'triangles';
   readonly places: Float64Array;
   /** World space; unit, or zero. */
   readonly normals: Float64Array;
@@ -13,18 +10,6 @@ export interface PlacedTriangles {
   readonly tangents: Float64Array;
   readonly mirrored: boolean;
   readonly index: ArrayLike<number> | undefined;
-}
-
-interface PlacedTrueShape {
-  readonly kind: 'true';
-  readonly intersect: Intersect;
-  /** Directions and normals between world and shape. */
-  readonly toShape: Vec3Matrix;
-  readonly toWorld: Vec3Matrix;
-  /** The eye, in the shape's space. */
-  readonly eye: Vec3;
-  /** The corners of the cube of side 1 that holds it. */
-  readonly cube: readonly Vec3[];
 }
 
 /** The columns of a 4×4 matrix. */
@@ -35,64 +20,37 @@ export interface Vec3Matrix {
   readonly origin: Vec3;
 }
 
-const ZERO: Vec3 = [0, 0, 0];
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-export function placed(
-  shape: CastShape,
-  m: ArrayLike<number> | undefined,
-  eye: Vec3,
-): PlacedTriangles | PlacedTrueShape {
-  const matrix = columnsOf(m);
-  const fromEye = { ...matrix, origin: subtract(matrix.origin, eye) };
-  return shape.kind === 'triangles' ? placedTriangles(shape, fromEye) : placedTrue(shape, fromEye);
-}
-
 /** A triangle's corners relative to the eye. */
-export function cornersOf({ places, index }: PlacedTriangles, triangle: number): readonly Vec3[] {
+export function cornersOf(
+  { places, index }: PlacedTriangles,
+  triangle: number,
+): [Vec3, Vec3, Vec3] {
   const corner = (i: number): Vec3 => vectorAt(places, 3 * (index === undefined ? i : index[i]!));
   return [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];
 }
 
-/** How many triangles; 1 for a true shape. */
-export const countOf = (shape: CastShape): number =>
-  shape.kind === 'triangles' ? (shape.index?.length ?? shape.positions.length / 3) / 3 : 1;
+/** How many triangles. */
+export const countOf = ({ index, positions }: CastShape): number =>
+  (index?.length ?? positions.length / 3) / 3;
 
-function placedTriangles(
-  { positions, normals, tangents = [], index }: TrianglesShape,
-  matrix: Vec3Matrix,
+export function placed(
+  { positions, normals, tangents = [], index }: CastShape,
+  m: ArrayLike<number> | undefined,
+  eye: Vec3,
 ): PlacedTriangles {
+  const matrix = columnsOf(m);
   const { x, y, z } = matrix;
-  const cofactors = { x: cross(y, z), y: cross(z, x), z: cross(x, y), origin: ZERO };
+  const origin = subtract(matrix.origin, eye);
+  const cofactors = { x: cross(y, z), y: cross(z, x), z: cross(x, y), origin };
   const mirrored = dot(x, cofactors.x) < 0;
   return {
-    kind: 'triangles',
-    places: eachOf(positions, 3, (v) => add(matrix.origin, turned(matrix, v))),
+    places: eachOf(positions, 3, (v) => add(origin, turned(matrix, v))),
     normals: eachOf(normals, 3, (v) => unit(turned(cofactors, v), mirrored ? -1 : 1)),
     tangents: eachOf(tangents, 4, (v) => unit(turned(matrix, v))),
     mirrored,
     index,
-  };
-}
-
-function placedTrue({ kind }: TrueShape, matrix: Vec3Matrix): PlacedTrueShape {
-  const { x, y, z, origin } = matrix;
-  const rows = [cross(y, z), cross(z, x), cross(x, y)] as const; // of the adjugate
-  const determinant = dot(x, rows[0]);
-  // The inverse by its rows is the cofactors' transpose over the determinant; as columns, the
-  // inverse transpose.
-  const [a, b, c] = rows.map((row) => scale(row, 1 / determinant)) as [Vec3, Vec3, Vec3];
-  const column = (i: 0 | 1 | 2): Vec3 => [a[i], b[i], c[i]];
-  const toShape = { x: column(0), y: column(1), z: column(2), origin };
-  return {
-    kind: 'true',
-    intersect: trueShape(kind),
-    toShape,
-    toWorld: { x: a, y: b, z: c, origin },
-    eye: turned(toShape, scale(origin, -1)),
-    cube: Array.from({ length: 8 }, (_, k) =>
-      add(origin, turned(matrix, [(k & 1) - 0.5, ((k >> 1) & 1) - 0.5, (k >> 2) - 0.5])),
-    ),
   };
 }
 
@@ -129,10 +87,3 @@ export function columnsOf(m: ArrayLike<number> = IDENTITY): Vec3Matrix {
   const [x, y, z, origin] = [0, 4, 8, 12].map((i) => vectorAt(m, i)) as [Vec3, Vec3, Vec3, Vec3];
   return { x, y, z, origin };
 }
-
-/** Determinants below this share of the column lengths' product are 0 up to rounding. */
-const FLATTENED = 1e-9;
-
-/** The mesh has no volume left: its two sides coincide, and it has no inverse. */
-export const isFlattened = ({ x, y, z }: Vec3Matrix): boolean =>
-  !(Math.abs(dot(x, cross(y, z))) > FLATTENED * length(x) * length(y) * length(z));

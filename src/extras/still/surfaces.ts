@@ -4,9 +4,9 @@ import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/ind
 import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, cross, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
-import type { CastObject, CastTexture, TrianglesShape } from './cast-scene.js';
+import type { CastObject, CastShape, CastTexture } from './cast-scene.js';
 import type { Hit } from './hit.js';
-import { cornersOf, placed, type PlacedTriangles, turned, unit } from './placed.js';
+import { cornersOf, placed, type PlacedTriangles, unit } from './placed.js';
 import { type Decode, readTexture } from './texture.js';
 
 const BYTES = Float64Array.from({ length: 256 }, (_, code) => code / 255);
@@ -16,14 +16,14 @@ const DECODED = BYTES.map(srgbDecode);
 export class ObjectSurface {
   readonly object: CastObject;
   readonly isBlinn: boolean;
-  readonly placed: ReturnType<typeof placed>;
+  readonly placed: PlacedTriangles;
   /** Ka, Kd and Ks as they enter the sum, with what textures and vertex colours multiply. */
   readonly #ka: Vec3;
   readonly #kd: Vec3;
   readonly #ks: Vec3;
   readonly #base: Vec3;
   readonly #emissive: Vec3;
-  readonly #shape: TrianglesShape | null;
+  readonly #shape: CastShape;
   /** The vertices' colours as they are interpolated: under `linear` in linear light. */
   readonly #colors: ArrayLike<number> | undefined;
   readonly #linear: boolean;
@@ -42,8 +42,8 @@ export class ObjectSurface {
     const decoded = (color: Vec3): Vec3 => (linear ? map(color, srgbDecode) : color);
     this.#base = decoded(material.baseColor ?? WHITE);
     this.#emissive = decoded(material.emissive ?? BLACK);
-    this.#shape = shape.kind === 'triangles' ? shape : null;
-    const { colors, linearColors = false } = this.#shape ?? {};
+    this.#shape = shape;
+    const { colors, linearColors = false } = shape;
     this.#colors =
       colors !== undefined && linear && !linearColors
         ? Float64Array.from(colors, (c, i) => (i % 4 === 3 ? c : srgbDecode(c)))
@@ -61,7 +61,7 @@ export class ObjectSurface {
       this.#read(texture, hit, BYTES);
       alpha *= texel[3]!;
     }
-    const { colors } = this.#shape ?? {};
+    const { colors } = this.#shape;
     return colors === undefined ? alpha : alpha * this.mix(colors, 4, 3, hit);
   }
 
@@ -79,7 +79,7 @@ export class ObjectSurface {
     }
     const colors = this.#colors;
     if (colors !== undefined) {
-      const isStoredLinear = this.#shape?.linearColors === true;
+      const isStoredLinear = this.#shape.linearColors === true;
       for (const k of RGB) {
         const c = this.mix(colors, 4, k, hit);
         base[k] *= isStoredLinear && !this.#linear ? srgbEncode(c) : c;
@@ -112,9 +112,7 @@ export class ObjectSurface {
     const { shading, normalTexture, normalScale = 1 } = this.object.material;
     const { placed } = this;
     let normal: Vec3;
-    if (placed.kind === 'true') {
-      normal = turned(placed.toWorld, hit.normal);
-    } else if (shading === 'flat') {
+    if (shading === 'flat') {
       normal = faceNormal(placed, hit.triangle);
     } else {
       normal = this.#mixed(placed.normals, hit);
@@ -123,7 +121,7 @@ export class ObjectSurface {
         const tilt = Array.from(texel, (c) => c * 2 - 1) as [number, number, number];
         const x = this.#mixed(placed.tangents, hit);
         const z = unit(normal);
-        const side = this.mix(this.#shape!.tangents!, 4, 3, hit) * (placed.mirrored ? -1 : 1);
+        const side = this.mix(this.#shape.tangents!, 4, 3, hit) * (placed.mirrored ? -1 : 1);
         const y = scale(cross(z, x), tilt[1] * side);
         normal = add(scale(add(scale(x, tilt[0]), y), normalScale), scale(z, tilt[2]));
       }
@@ -137,7 +135,7 @@ export class ObjectSurface {
 
   /** The mean of the corners' values, `size` numbers each, by the hit's shares. */
   mix(values: ArrayLike<number>, size: number, k: number, { triangle, a, b, c }: Hit): number {
-    const index = this.#shape!.index;
+    const index = this.#shape.index;
     const first = 3 * triangle;
     if (index === undefined) {
       const at = size * first + k;
@@ -158,14 +156,14 @@ export class ObjectSurface {
   }
 
   #read(texture: CastTexture, hit: Hit, decode: Decode): void {
-    const uv = this.#shape?.uvs?.[texture.uv ?? 0] ?? NO_UV;
+    const uv = this.#shape.uvs?.[texture.uv ?? 0] ?? NO_UV;
     readTexture(texture, this.mix(uv, 2, 0, hit), this.mix(uv, 2, 1, hit), decode, texel);
   }
 }
 
 /** The triangle's own, on the side that its corners turn to. */
 function faceNormal(placed: PlacedTriangles, triangle: number): Vec3 {
-  const [a, b, c] = cornersOf(placed, triangle) as [Vec3, Vec3, Vec3];
+  const [a, b, c] = cornersOf(placed, triangle);
   return scale(cross(subtract(b, a), subtract(c, a)), placed.mirrored ? -1 : 1);
 }
 

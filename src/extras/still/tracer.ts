@@ -5,16 +5,7 @@ import type { CastScene } from './cast-scene.js';
 import { Hit } from './hit.js';
 import { LightSums } from './lights.js';
 import { PixelLists } from './pixel-lists.js';
-import {
-  columnsOf,
-  cornersOf,
-  countOf,
-  isFlattened,
-  type PlacedTriangles,
-  turned,
-  unit,
-  vectorAt,
-} from './placed.js';
+import { columnsOf, cornersOf, countOf, unit, vectorAt } from './placed.js';
 import { Screen } from './screen.js';
 import { ObjectSurface, RGB, SurfacePoint } from './surfaces.js';
 
@@ -43,10 +34,8 @@ export class Tracer {
   readonly #scene: CastScene;
   readonly #lights: LightSums;
   readonly #surfaces: readonly ObjectSurface[];
-  /** By object: its back faces are not drawn. */
-  readonly #culls: readonly boolean[];
   readonly #lists: PixelLists;
-  /** By thing: its object, and which triangle of it; -1 for a true shape. */
+  /** By thing: its object, and which triangle of it. */
   readonly #objects: Int32Array;
   readonly #triangles: Int32Array;
   /** By thing, {@link STRIDE} numbers of a triangle. */
@@ -82,25 +71,21 @@ export class Tracer {
     this.#surfaces.forEach((surface, i) => this.#list(surface, i));
     this.#lists.sort();
     this.#lights = new LightSums(lights, camera, linear, this.#lists.reach);
-    this.#culls = objects.map(
-      ({ material, matrix }) => material.single === true && !isFlattened(columnsOf(matrix)),
-    );
   }
 
-  #list({ placed, object: { shape } }: ObjectSurface, object: number): void {
-    const isTrue = placed.kind === 'true';
+  #list({ placed, object: { shape, material } }: ObjectSurface, object: number): void {
     const count = countOf(shape);
     for (let triangle = 0; triangle < count; triangle++) {
-      const corners = isTrue ? placed.cube : cornersOf(placed, triangle);
+      const corners = cornersOf(placed, triangle);
+      const [a, b, c] = corners;
+      const bc = cross(b, c);
+      const volume = dot(a, bc);
+      if (material.single === true && volume < 0 === placed.mirrored) continue;
       const thing = this.#lists.count;
       if (!this.#lists.add(corners)) continue;
       this.#objects[thing] = object;
-      this.#triangles[thing] = isTrue ? -1 : triangle;
-      // All numbers of a true shape stay 0: each ray meets what they stand for.
-      if (isTrue) continue;
-      const [a, b, c] = corners as [Vec3, Vec3, Vec3];
-      const bc = cross(b, c);
-      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], STRIDE * thing);
+      this.#triangles[thing] = triangle;
+      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), volume], STRIDE * thing);
     }
   }
 
@@ -108,7 +93,6 @@ export class Tracer {
   #accepts(hit: Hit): boolean {
     const { object } = hit;
     const { alphaMode = 'opaque', alphaCutoff = 0.5 } = this.#scene.objects[object]!.material;
-    if (this.#culls[object]! && !hit.front) return false;
     if (alphaMode === 'mask') return this.#surfaces[object]!.opacityAt(hit) >= alphaCutoff;
     if (alphaMode === 'blend') {
       this.#layers.push(Object.assign(new Hit(), hit));
@@ -157,10 +141,9 @@ export class Tracer {
     const normal = this.#normalOf(thing);
     const facing = dot(normal, this.#d);
     const nearer = (t * facing) / this.#volumes[STRIDE * thing + 9]!;
-    if (!(nearer > ROUNDED)) return false; // NaN of a true shape
+    if (nearer <= ROUNDED) return false;
     const { alphaMode = 'opaque' } = this.#scene.objects[object]!.material;
-    const { mirrored } = this.#surfaces[object]!.placed as PlacedTriangles;
-    if (alphaMode !== 'opaque' || (this.#culls[object]! && facing < 0 === mirrored)) return false;
+    if (alphaMode !== 'opaque') return false;
     if (object !== own || nearer > 1 + (2 * APART * slopeY) / height) return true;
     const other = this.#normalOf(met);
     const along = dot(normal, other);
@@ -170,7 +153,7 @@ export class Tracer {
     );
   }
 
-  /** Whether a triangle may reach into a pixel. A true shape may always. */
+  /** Whether a triangle may reach into a pixel. */
   #reaches(thing: number, column: number, row: number): boolean {
     const at = STRIDE * thing;
     const volume = this.#volumes[at + 9]!;
@@ -178,13 +161,10 @@ export class Tracer {
       this.screen.direction(column + (k & 1), row + (k >> 1)),
     );
     // Inside each edge at a corner, as they are linear.
-    return (
-      volume === 0 ||
-      [0, 3, 6].every((k) => {
-        const edge = vectorAt(this.#volumes, at + k);
-        return corners.some((corner) => volume * dot(edge, corner) > 0);
-      })
-    );
+    return [0, 3, 6].every((k) => {
+      const edge = vectorAt(this.#volumes, at + k);
+      return corners.some((corner) => volume * dot(edge, corner) > 0);
+    });
   }
 
   /** A triangle's normal, as long as twice its area. */
@@ -229,23 +209,17 @@ export class Tracer {
       if (!((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0))) continue;
       const sum = a + b + c;
       const t = volumes[at + 9]! / sum;
-      if (t <= 0 || t > most) continue; // NaN of a true shape
+      if (!(t > 0 && t <= most)) continue;
       const [hit, next] = [this.#hit, this.#next];
       next.thing = thing;
       next.object = this.#objects[thing]!;
       next.triangle = this.#triangles[thing]!;
-      const { placed } = this.#surfaces[next.object]!;
-      if (placed.kind === 'true') {
-        next.t = Infinity;
-        if (!placed.intersect(placed.eye, turned(placed.toShape, this.#d), next)) continue;
-      } else {
-        next.t = t;
-        next.front = sum < 0 !== placed.mirrored;
-        next.a = a / sum;
-        next.b = b / sum;
-        next.c = c / sum;
-      }
-      if (!(next.t <= most) || !this.#accepts(next)) continue;
+      next.t = t;
+      next.front = sum < 0 !== this.#surfaces[next.object]!.placed.mirrored;
+      next.a = a / sum;
+      next.b = b / sum;
+      next.c = c / sum;
+      if (!this.#accepts(next)) continue;
       // Where two coincide, the last one shows.
       if (thing < hit.thing && next.t * ROUNDED >= hit.t) continue;
       most = next.t * ROUNDED;
@@ -299,7 +273,7 @@ export class Tracer {
       color.splice(0, 3, ...point.base);
     } else {
       let sums: Float64Array = this.#lights.sums;
-      if (quantity === undefined && material.shading === 'gouraud' && hit.triangle >= 0) {
+      if (quantity === undefined && material.shading === 'gouraud') {
         sums = this.#mixedSums(hit, surface);
       } else {
         surface.turn(hit);
@@ -347,7 +321,7 @@ export class Tracer {
   }
 
   #sumsOf({ placed, object, isBlinn }: ObjectSurface): Float64Array {
-    const { places, normals } = placed as PlacedTriangles;
+    const { places, normals } = placed;
     const sums = new Float64Array(6 * places.length);
     for (let i = 0; i < places.length; i += 3) {
       const p = vectorAt(places, i);

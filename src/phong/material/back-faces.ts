@@ -1,6 +1,6 @@
 // Decides whether a mesh's back faces can be seen. Where they cannot, they are culled: half of a
 // closed shape's fragments. Decided for each draw, so that moving into a shape compiles nothing.
-import type { BufferGeometry, Camera, Matrix4 } from 'three';
+import { type BufferGeometry, type Camera, type Matrix4, Vector3 } from 'three';
 
 /**
  * Which sides a surface has. `closed`: an opaque shape without holes, whose inside is seen only
@@ -38,7 +38,10 @@ function isFlattened(matrix: Matrix4): boolean {
 
 /** The squared length of the column that begins at this element. */
 const squared = (e: readonly number[], at: number): number =>
-  e[at]! ** 2 + e[at + 1]! ** 2 + e[at + 2]! ** 2;
+  e[at]! * e[at]! + e[at + 1]! * e[at + 1]! + e[at + 2]! * e[at + 2]!;
+
+/** Scratch of {@link isOutside}. */
+const middle = /* @__PURE__ */ new Vector3();
 
 /** Whether the eye and the near plane are outside the geometry's bounds. */
 function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
@@ -54,9 +57,7 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const { elements: view } = camera.matrixWorld;
   const [backX, backY, backZ] = [view[8], view[9], view[10]];
   // From the box's centre to the eye, in world space.
-  const x = (box.min.x + box.max.x) / 2;
-  const y = (box.min.y + box.max.y) / 2;
-  const z = (box.min.z + box.max.z) / 2;
+  const { x, y, z } = box.getCenter(middle);
   const dx = view[12] - (m[0] * x + m[4] * y + m[8] * z + m[12]);
   const dy = view[13] - (m[1] * x + m[5] * y + m[9] * z + m[13]);
   const dz = view[14] - (m[2] * x + m[6] * y + m[10] * z + m[14]);
@@ -68,7 +69,7 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const hx = (box.max.x - box.min.x) / 2;
   const hy = (box.max.y - box.min.y) / 2;
   const hz = (box.max.z - box.min.z) / 2;
-  const offset = Math.hypot(sphere.center.x - x, sphere.center.y - y, sphere.center.z - z); // three.js's own have none
+  const offset = middle.distanceTo(sphere.center); // three.js's own have none
   const sphereDepth = (sphere.radius + offset) * Math.sqrt(ax * ax + ay * ay + az * az);
   const boxDepth = hx * Math.abs(ax) + hy * Math.abs(ay) + hz * Math.abs(az);
   const depth = dx * backX + dy * backY + dz * backZ;

@@ -1,8 +1,7 @@
 // A whole picture by the element: the plain one, with averaged highlights, or the mean of many
 // samples.
 import { onlyContext, runFrame } from './page-hooks.js';
-import { createGeometry } from '../../../src/phong/model/shapes/shapes.js';
-import type { TrueShape } from '../../../src/extras/still/cast-scene.js';
+import { createGeometry, roundOf } from '../../../src/phong/model/shapes/shapes.js';
 import { trianglesOf } from '../../visual/ray-cast.js';
 import { castSceneOf } from './cast-scene.js';
 import { drawUntilReady, type Viewer } from './element-side.js';
@@ -104,14 +103,16 @@ export const openElement =
       }
     }
 
-    const torus = trianglesOf(await createGeometry('torus', 512));
+    const shapes = await Promise.all(
+      viewers.map(async ({ geometry }) =>
+        geometry === null || !roundOf(geometry)
+          ? null
+          : trianglesOf(await createGeometry(geometry, 512)),
+      ),
+    );
     return {
       methods: { element: { steps: 1 } },
-      scenes: (round) =>
-        viewers.map((viewer) => {
-          const kind = viewer.geometry as TrueShape['kind'] | 'torus';
-          return castSceneOf(viewer, !round ? null : kind === 'torus' ? torus : { kind });
-        }),
+      scenes: (round) => viewers.map((viewer, i) => castSceneOf(viewer, round ? shapes[i]! : null)),
       async time() {
         finish(gl);
         const start = performance.now();

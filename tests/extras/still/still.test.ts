@@ -271,7 +271,6 @@ describe('values in a still’s markup', () => {
 
   it.each([
     ['box', 20_000, 'draws; at most 10,000 can be shown.'],
-    ['sphere', 9000, 'surfaces before and behind each other'],
     ['box', 9000, 'surfaces before and behind each other', 35],
   ])('are no heap of meshes: %s, %i', async (shape, count, part, size = 300) => {
     const mesh = `<phong-mesh geometry="${shape}"></phong-mesh>`;

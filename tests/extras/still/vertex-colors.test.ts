@@ -11,7 +11,6 @@ it.each([
   ['linear ones under linear', true, true, 0.5],
 ])('mixes %s', (_, linearColors, linear, half) => {
   const shape = {
-    kind: 'triangles',
     positions: [0, 0, 0, 1, 0, 0, 0, 1, 0],
     normals: [0, 0, 1, 0, 0, 1, 0, 0, 1],
     colors: [1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1],
