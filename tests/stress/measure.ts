@@ -25,8 +25,6 @@ export interface Measured {
   max: number;
   /** The largest of each form of program, by its name. */
   readonly forms: Record<string, number>;
-  /** Root of the mean square. */
-  rms: number;
   channels: number;
   /**
    * Channels whose 8-bit code is exactly the nearest to float64; where the bound allows more than
@@ -57,7 +55,6 @@ export const nothingMeasured = (of: Pick<Category, 'id' | 'title' | 'bound'>): M
   notFinite: 0,
   max: 0,
   forms: {},
-  rms: 0,
   channels: 0,
   exact: 0,
   wrongCodes: 0,
@@ -68,9 +65,7 @@ export const nothingMeasured = (of: Pick<Category, 'id' | 'title' | 'bound'>): M
 /** Parts of one run, measured apart, as one. */
 export function mergeMeasured(parts: readonly Measured[]): Measured {
   const sum = nothingMeasured(parts[0]!);
-  let squares = 0;
   for (const part of parts) {
-    squares += part.rms ** 2 * part.channels;
     for (const key of [
       'cases',
       'searched',
@@ -93,7 +88,6 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
       sum.worst = part.worst;
     }
   }
-  sum.rms = sum.channels === 0 ? 0 : Math.sqrt(squares / sum.channels);
   return sum;
 }
 
@@ -130,7 +124,6 @@ export function measureBatch(
   cases: readonly Judged[],
   { floats, codes }: PassResult,
 ): void {
-  let squares = into.rms ** 2 * into.channels;
   let max = into.forms[program] ?? 0;
   cases.forEach((one, i) => {
     const { stress, variant, shaded, beside, found } = one;
@@ -177,7 +170,6 @@ export function measureBatch(
       const allowed = Math.max(1, Math.ceil((category.bound * 255) / scale));
       const away = Math.abs(code - Math.round(exact));
       if (!found) {
-        squares += off * off;
         into.channels += 1;
         into.exact += away <= (allowed > 1 ? allowed : 0) ? 1 : 0;
       }
@@ -187,5 +179,4 @@ export function measureBatch(
     }
   });
   into.forms[program] = max;
-  into.rms = into.channels === 0 ? 0 : Math.sqrt(squares / into.channels);
 }

@@ -208,15 +208,14 @@ function brightness(stacks) {
  * All categories, in the order of the run that has most: an older stack may lack some.
  * @param {readonly Stack[]} stacks
  */
-const rowsOf = (stacks) =>
-  distinct(
-    stacks.map(({ drivers }) => drivers['shipped']?.measured ?? []),
-    ({ id }) => id,
-  ).map((row) =>
-    stacks
-      .flatMap(({ drivers }) => drivers['shipped']?.measured ?? [])
+const rowsOf = (stacks) => {
+  const lists = stacks.map(({ drivers }) => drivers['shipped']?.measured ?? []);
+  return distinct(lists, ({ id }) => id).map((row) =>
+    lists
+      .flat()
       .reduce((most, one) => (one.id === row.id && one.bound > most.bound ? one : most), row),
   );
+};
 
 /** All checks of chunks that the newest loop has. @param {readonly Stack[]} stacks */
 const checksOf = (stacks) => {
@@ -235,16 +234,8 @@ const checksOf = (stacks) => {
  * @param {readonly (readonly T[])[]} lists @param {(item: T) => string} keyOf @returns {T[]}
  */
 function distinct(lists, keyOf) {
-  /** @type {Map<string, T>} */
-  const items = new Map();
-  for (const list of [...lists].sort((a, b) => b.length - a.length)) {
-    for (const item of list) {
-      if (!items.has(keyOf(item))) {
-        items.set(keyOf(item), item);
-      }
-    }
-  }
-  return [...items.values()];
+  const all = [...lists].sort((a, b) => b.length - a.length).flat();
+  return all.filter((item, i) => all.findIndex((one) => keyOf(one) === keyOf(item)) === i);
 }
 
 /** What the stack's own driver made of the categories with the least bound. @param {Stack} stack */

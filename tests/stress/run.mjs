@@ -69,9 +69,6 @@ const CASES_A_PAGE = 2e6;
 /** @typedef {import('./measure.js').Measured} Measured */
 /** @typedef {import('../glsl/chunk-checks.js').Checked} Checked */
 
-/** Of the columns that are printed. */
-const WIDTHS = [20, 13, 10, 10, 11, 10];
-
 const site = await serveFolder(options.harness || (await builtHarness()));
 const browser = await launch();
 console.log(`seed ${seed}`);
@@ -214,24 +211,19 @@ function print(driver, seconds, { broken, measured }) {
   console.log(
     'Errors: of the sum before clamping, in codes (1/255 of full), over max(1, the brightness).',
   );
-  const line = (/** @type {readonly string[]} */ cells, last = '') =>
-    console.log(
-      cells
-        .map((cell, i) => (i === 0 ? cell.padEnd(WIDTHS[0] ?? 0) : cell.padStart(WIDTHS[i] ?? 0)))
-        .join('  ') + `  ${last}`.trimEnd(),
-    );
-  line(
-    ['category', 'largest error', 'RMS error', 'NaN or Inf', 'exact codes', 'off by > 1'],
-    'left out',
+  console.table(
+    Object.fromEntries(
+      measured.map(({ id, max, notFinite, exact, channels, wrongCodes, excluded }) => [
+        id,
+        {
+          'largest error': Number(max.toPrecision(3)),
+          'NaN or Inf': notFinite,
+          'exact codes, %': Number(((100 * exact) / channels).toFixed(4)),
+          'off by > 1': wrongCodes,
+          'left out': Object.entries(excluded).join(' ').replaceAll(',', ' '),
+        },
+      ]),
+    ),
   );
-  line(['', 'codes', 'codes', 'channels', '% of codes', 'codes'], 'cases');
-  for (const { id, max, rms, notFinite, exact, channels, wrongCodes, excluded } of measured) {
-    const share = channels === 0 ? '–' : ((100 * exact) / channels).toFixed(4);
-    const out = Object.entries(excluded).map(([name, count]) => `${name} ${count}`);
-    line(
-      [id, max.toPrecision(3), rms.toPrecision(3), String(notFinite), share, String(wrongCodes)],
-      out.join(', '),
-    );
-  }
   console.log(broken.length === 0 ? 'The contract holds.' : `BROKEN\n${broken.join('\n')}`);
 }

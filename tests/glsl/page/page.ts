@@ -125,7 +125,6 @@ function lineOf({
   cases,
   bound,
   max,
-  rms,
   notFinite,
   exact,
   channels,
@@ -133,7 +132,7 @@ function lineOf({
 }: Measured): string {
   const excluded = Object.entries(more.excluded).map(([name, count]) => `${name} ${count}`);
   return [
-    `${title}: ${cases} cases, largest error ${max.toPrecision(2)} (bound ${bound}), RMS ${rms.toPrecision(2)}`,
+    `${title}: ${cases} cases, largest error ${max.toPrecision(2)} (bound ${bound})`,
     `${notFinite} not finite, ${((100 * exact) / channels).toFixed(3)} % exact codes, ${more.wrongCodes} wrong`,
     ...excluded,
   ].join(', ');
