@@ -264,27 +264,25 @@ async function drawn(gl: WebGL2RenderingContext): Promise<void> {
 
 /** What the compiler says, by the learner's lines. */
 function messagesIn(log: string, glsl: string): Refused {
+  // Some drivers end a log with a null character.
   const lines = log
-    .replace(/\0/g, '')
-    .split('\n')
-    .map((line) => line.trim())
+    .split(/\s*[\n\0]\s*/)
     .filter((line) => line !== '' && !line.startsWith('WARNING'));
-  const faults = (lines.length > 0 ? lines : [log]).map((line): Fault => {
-    const [, number, text = line] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
-    const own = Number(number) - LINES;
-    const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(text) ?? [];
-    const isOther = /same return type/.test(text) && /\bshade\b/.test(glsl.split('\n')[own - 1]!);
-    const said =
-      name !== ''
-        ? RECURSION
-        : isOther || text.includes('Function shade()')
-          ? /\bshade\s*\(/.test(glsl)
-            ? OTHER_SHADE
-            : NO_SHADE
-          : text.replace(/exercisePow/g, 'pow');
-    return { text: said, values: { name }, line: own > 0 ? own : null };
-  });
-  return new Refused(faults);
+  return new Refused((lines.length > 0 ? lines : [log]).map((line) => faultIn(line, glsl)));
+}
+
+function faultIn(message: string, glsl: string): Fault {
+  const [, number, said = message] = /^ERROR: \d+:(\d+): (.*)$/.exec(message) ?? [];
+  const line = Number(number) - LINES;
+  const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(said) ?? [];
+  const isOther = /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[line - 1]!);
+  let text = said.replace(/exercisePow/g, 'pow');
+  if (name !== '') {
+    text = RECURSION;
+  } else if (isOther || said.includes('Function shade()')) {
+    text = /\bshade\s*\(/.test(glsl) ? OTHER_SHADE : NO_SHADE;
+  }
+  return { text, values: { name }, line: line > 0 ? line : null };
 }
 
 const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';
