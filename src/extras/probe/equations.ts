@@ -17,6 +17,7 @@ import {
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
+import { power } from '../../phong/mistakes/steps.js';
 import {
   decimals,
   degreesOf,
@@ -183,7 +184,7 @@ function decayAt({ share: { decay, c, insideCone }, light, texts }: TermAt): Fac
       value: (digits) => {
         const x = rounded(angle, digits);
         if (hasCone && x > light.aperture) return 0;
-        return ((1 + cosDegrees(x)) / 2) ** exponentOf(light.cutoff);
+        return power((1 + cosDegrees(x)) / 2, light.cutoff);
       },
     },
   };
@@ -207,9 +208,6 @@ function cosineAt({ fragment, share: { NoL, RoV }, term, halfway }: TermAt): Fac
 }
 
 const grey = (x: number): Vec3 => [x, x, x];
-
-/** max(x, 0)^n, with x^0 = 1 for every x. */
-const power = (x: number, n: number): number => (n === 0 ? 1 : Math.max(x, 0) ** n);
 
 export const valueOf = ({ value, exponent, clamped }: Factor, channel: number): number => {
   const x = value[channel]!;
