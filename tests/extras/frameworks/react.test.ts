@@ -3,6 +3,8 @@
 import { createElement } from 'react';
 import { renderToStaticMarkup } from 'react-dom/server';
 import { describe, expect, it } from 'vitest';
+import * as elements from '../../../src/viewer/index.js';
+import * as components from '../../../src/extras/frameworks/react.js';
 import {
   PhongCompare,
   PhongControl,
@@ -15,6 +17,10 @@ import {
   PhongViewer,
   type PhongViewerProps,
 } from '../../../src/extras/frameworks/react.js';
+
+it('every element has a component', () => {
+  expect(Object.keys(components).sort()).toEqual(Object.keys(elements).sort());
+});
 
 it('handlers know the element that they are on', () => {
   // Checked by the compiler.
