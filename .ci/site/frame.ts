@@ -80,7 +80,7 @@ export function headHtml(
     <link rel="stylesheet" href="${root}page.css" />`;
 }
 
-/** @param inside the page's own sections, if it is one of the guide */
+/** @param inside the page's own sections, if it has a list of them */
 export function headerHtml(path: string, inside: readonly Section[]): string {
   const root = rootFrom(path);
   const isGuide = guide.some((page) => page.path === path);
@@ -98,10 +98,13 @@ export function headerHtml(path: string, inside: readonly Section[]): string {
           <input id="search" type="search" placeholder="Search" aria-label="Search all pages" aria-controls="found" autocomplete="off" spellcheck="false" />
           <ol id="found" aria-label="Found" hidden></ol>
         </div>
-      </header>${isGuide ? contentsHtml(path, root, inside) : ''}`;
+      </header>${inside.length > 0 ? contentsHtml(path, root, inside) : ''}`;
 }
 
-/** The contents list: the guide's pages, the sections of this one, and what is not of the guide. */
+/**
+ * The contents list: the sections of this page, among the guide's pages if it is one of them, and
+ * what is not of the guide.
+ */
 function contentsHtml(path: string, root: string, inside: readonly Section[]): string {
   const own = inside
     .filter(({ level }) => level === 2)
@@ -111,12 +114,12 @@ function contentsHtml(path: string, root: string, inside: readonly Section[]): s
       ? link(page, root, 'page').replace('</li>', `<ol>${own.join('')}</ol></li>`)
       : link(page, root, ''),
   );
+  const isGuide = guide.some((page) => page.path === path);
+  const rest = isGuide ? `<ul>${others.map((page) => link(page, root, '')).join('')}</ul>` : '';
   return `
-      <nav class="topics" aria-label="Guide">
-        <button type="button" aria-expanded="false" aria-controls="topics">Contents</button>
-        <div id="topics"><ol>${pages.join('')}</ol><ul>${others
-          .map((page) => link(page, root, ''))
-          .join('')}</ul></div>
+      <nav class="topics" aria-label="${isGuide ? 'Guide' : 'Contents'}">
+        <button type="button" lang="en" aria-expanded="false" aria-controls="topics">Contents</button>
+        <div id="topics"><ol>${(isGuide ? pages : own).join('')}</ol>${rest}</div>
       </nav>`;
 }
 

@@ -14,7 +14,7 @@ import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
 import { examplesHtml, type Example, sizeOf, sizesHtml, withListings } from './generated.js';
 import { readmePage, readmeSnippet } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
-import { escapeHtml } from './markdown.js';
+import { escapeHtml, type Section } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
 import {
   guidePage,
@@ -204,7 +204,8 @@ function pageHtml(source: string, path: string, building: boolean): string {
   }
   const facts = packageFacts();
   const markdown = markdownOf(path);
-  const inside = markdown === null ? [] : guidePage(markdown, facts.repository).sections;
+  const inside =
+    markdown === null ? sectionsOf(source) : guidePage(markdown, facts.repository).sections;
   const { page: original, language } = originalOf(path) ?? { page: path, language: 'en' };
   const languages = { original, all: languagesOf(original), own: language };
   const head = headHtml(
@@ -228,6 +229,16 @@ function pageHtml(source: string, path: string, building: boolean): string {
         generated.get(name)?.(argument ?? '') ?? comment,
     );
 }
+
+/** The sections of a page that is HTML, if it has the guide's layout. */
+const sectionsOf = (source: string): readonly Section[] =>
+  !source.includes('<div class="sheet guide">')
+    ? []
+    : Array.from(source.matchAll(/<h2 id="([^"]+)">([^<]*)<\/h2>/g), ([, id, title]) => ({
+        id: id!,
+        level: 2,
+        title: title!,
+      }));
 
 /** A link to a file of the repository; its name, where the repository has no address yet. */
 const repositoryLink = (file: string, words: string, repository: string): string =>

@@ -249,6 +249,7 @@ test('the lesson leads to the same lesson in other languages, with viewers in th
     const lang = await page.locator('html').getAttribute('lang');
     await expect(menu.locator('[aria-current=page]')).toHaveAttribute('hreflang', lang!);
     await expect(alternates).toHaveCount(4);
+    await expect(page.locator('.topics a')).toHaveCount(10);
     await expect(page.locator('#sum + phong-control')).toBeVisible();
     expect(
       await page.locator('#sum').evaluate((viewer: PhongViewer) => viewer.texts?.terms),
