@@ -84,8 +84,7 @@ function withoutComments(source: string): string {
       const code = found.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0');
       throw refused(CHARACTER, { character: `${found} (U+${code})` }, i + 1);
     }
-    const [, ...names] = OURS.exec(line) ?? [];
-    const name = names.find(Boolean);
+    const [name] = OURS.exec(line) ?? [];
     if (name !== undefined) {
       throw refused('Leave out {name}: it is there already.', { name }, i + 1);
     }
@@ -93,7 +92,7 @@ function withoutComments(source: string): string {
   return bare;
 }
 
-const OURS = /\b(exercise\w*)|\bstruct +(Light|Material)\b|\bvoid +(main)\b/;
+const OURS = /\bexercise\w*|(?<=\bstruct +)(Light|Material)\b|(?<=\bvoid +)main\b/;
 
 const TOKEN =
   /[A-Za-z_]\w*|0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|[-+*/%&|^<>=!]=|\+\+|--|<<|>>|&&|\|\||\^\^|\S/g;

@@ -82,9 +82,10 @@ function* pixelPoints(
       }
       if (length(normal) < 1e-6) continue;
       const given = {
-        material: { ...coefficientsOf(surface, linear), shininess: Math.fround(shininess) },
+        material: { ...coefficientsOf(surface, linear), shininess },
+        // As the driver gets them: far from the origin a rounding is seen.
         p: map(add(origin, hit.p), Math.fround),
-        normal: map(normal, Math.fround),
+        normal,
         eye: map(world, Math.fround),
         reflection: task.reflection,
         terms: task.terms,
@@ -116,10 +117,6 @@ function shadedPoint(hit: SeenHit) {
   };
 }
 
-/** A colour as it is summed, with 1 as full. */
-const unitColor = (color: Vec3, linear: boolean): Vec3 =>
-  map(color, (k) => Math.fround(linear ? srgbDecode(k / 255) : k / 255));
-
 /** A light in world space, with 1 as full; one without a cone or decay has some axis. */
 function lampOf(
   light: ViewerSnapshot['lights'][number]['values'],
@@ -128,19 +125,21 @@ function lampOf(
   linear: boolean,
 ): Lamp {
   const isCamera = light.space === 'camera';
+  const color = (own: Vec3): Vec3 => map(own, (k) => (linear ? srgbDecode(k / 255) : k / 255));
+  const turned = (v: Vec3): Vec3 => (isCamera ? along(axes, v) : v);
   const [x, y, z, w] = light.position;
-  const axis = isCamera ? along(axes, light.axis) : light.axis;
-  const place: Vec3 = isCamera ? add(w === 1 ? eye : [0, 0, 0], along(axes, [x, y, z])) : [x, y, z];
+  const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
+  const axis = turned(light.axis);
   const isAxis = dot(axis, axis) > 0;
   return {
-    ambient: unitColor(light.ambient, linear),
-    diffuse: unitColor(light.diffuse, linear),
-    specular: unitColor(light.specular, linear),
+    ambient: color(light.ambient),
+    diffuse: color(light.diffuse),
+    specular: color(light.specular),
     position: [...map(place, Math.fround), w],
-    axis: isAxis ? map(axis, Math.fround) : [0, 0, -1],
-    aperture: isAxis ? Math.fround(light.aperture) : 180,
-    cutoff: isAxis ? Math.fround(light.cutoff) : 0,
-    attenuation: map(light.attenuation, Math.fround),
+    axis: isAxis ? axis : [0, 0, -1],
+    aperture: isAxis ? light.aperture : 180,
+    cutoff: isAxis ? light.cutoff : 0,
+    attenuation: light.attenuation,
   };
 }
 
@@ -153,7 +152,7 @@ export function underScene(
   scene: Scene,
   terms: Task['terms'],
 ): PicturePoints {
-  const points = picture.cases.flatMap(([given]) => (given === undefined ? [] : [given.p]));
+  const points = picture.cases.flat().map(({ p }) => p);
   const center = scale(points.reduce<Vec3>(add, [0, 0, 0]), 1 / points.length);
   const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
   const [x, y, z, w] = scene.position;
@@ -164,22 +163,19 @@ export function underScene(
     diffuse: [0.9, 0.9, 0.9],
     specular: [0.9, 0.9, 0.9],
     position: [...map(w === 1 ? add(center, scale(place, size)) : place, Math.fround), w],
-    axis: map(along(picture.axes, scene.axis), Math.fround),
+    axis: along(picture.axes, scene.axis),
     aperture: scene.aperture,
     cutoff: scene.cutoff,
-    attenuation: map([kc, kl / size, kq / size ** 2], Math.fround),
+    attenuation: [kc, kl / size, kq / size ** 2],
   });
-  const cases = picture.cases.map(([given]) =>
-    given === undefined
-      ? []
-      : [
-          {
-            ...given,
-            light,
-            normal: map(scale(given.normal, scene.normal), Math.fround),
-            material: { ...given.material, shininess: scene.shininess },
-          },
-        ],
+  // One lamp, however many the picture has.
+  const cases = picture.cases.map((at) =>
+    at.slice(0, 1).map((given) => ({
+      ...given,
+      light,
+      normal: scale(given.normal, scene.normal),
+      material: { ...given.material, shininess: scene.shininess },
+    })),
   );
   return { ...picture, cases };
 }

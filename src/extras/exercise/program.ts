@@ -74,12 +74,13 @@ void main() {
   );
   vec3 sum = vec3(0.0);
   for (int i = int(p.w); i < int(p.w + normal.w); i++) {
-    vec4 ambient = exerciseLight(i, 0), diffuse = exerciseLight(i, 1);
+    vec4 a = exerciseLight(i, 0), b = exerciseLight(i, 1), c = exerciseLight(i, 2);
+    vec4 d = exerciseLight(i, 3), e = exerciseLight(i, 4), f = exerciseLight(i, 5);
     exerciseTurns = 0;
     sum += shade(
       Light(
-        ambient.xyz, diffuse.xyz, exerciseLight(i, 2).xyz, exerciseLight(i, 3),
-        exerciseLight(i, 4).xyz, ambient.w, diffuse.w, exerciseLight(i, 5).xyz
+        a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), vec4(c.yzw, d.x),
+        d.yzw, e.x, e.y, vec3(e.zw, f.x)
       ),
       m, p.xyz, normal.xyz, eye.xyz
     );
@@ -291,6 +292,18 @@ const NO_SHADE =
 const OTHER_SHADE =
   'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
+/** What a lamp's texels hold, in the order of the struct. */
+const LAMP = [
+  'ambient',
+  'diffuse',
+  'specular',
+  'position',
+  'axis',
+  'aperture',
+  'cutoff',
+  'attenuation',
+] as const;
+
 /** Six texels a case, and behind them six a lamp; each list of lamps once. */
 function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
   const lamps: Lamp[] = [];
@@ -315,20 +328,9 @@ function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
       24 * i,
     );
   }
-  for (const [i, { ambient, diffuse, specular, position, axis, ...rest }] of lamps.entries()) {
+  for (const [i, lamp] of lamps.entries()) {
     texels.set(
-      [
-        ...ambient,
-        rest.aperture,
-        ...diffuse,
-        rest.cutoff,
-        ...specular,
-        0,
-        ...position,
-        ...axis,
-        0,
-        ...rest.attenuation,
-      ],
+      LAMP.flatMap((key) => lamp[key]),
       24 * (count + i),
     );
   }
