@@ -13,6 +13,7 @@ export default defineConfig({
   testDir: 'tests',
   testMatch: '{element,extras,visual,a11y,glsl,package,release}/**/*.spec.ts',
   outputDir: outputFolder('test-results'),
+  snapshotPathTemplate: '{testDir}/visual/baselines/{arg}{ext}',
   reporter: 'list',
   workers: 2,
   fullyParallel: true,

@@ -1,10 +1,7 @@
-// Pictures of viewers as numbers: read through `toBlob`, compared channel by channel, held against
-// baselines. Channels are 8-bit codes 0-255, straight alpha, rows from the top.
+// Pictures of viewers as numbers: read through `toBlob`, compared channel by channel.
+// Channels are 8-bit codes 0-255, straight alpha, rows from the top.
 
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { expect, test as base, type Locator, type Page } from '@playwright/test';
+import { expect, type Locator, type Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 
 export interface Picture {
@@ -19,14 +16,7 @@ interface Difference {
   readonly max: number;
   /** Share (0-1) of the channels that differ by more than the tolerance. */
   readonly share: number;
-  /** Root of the mean squared difference, in codes. */
-  readonly rmse: number;
 }
-
-/**
- * How far a picture may be from its baseline: rasterization and rounding differ between machines.
- */
-const baselineTolerance = { codes: 2, share: 0.005 } as const;
 
 /** The part of `<phong-viewer>` that the helpers use. */
 export interface ViewerLike extends HTMLElement {
@@ -86,7 +76,6 @@ export function compare(a: Picture, b: Picture, tolerance = 0): Difference {
   }
   let max = 0;
   let beyond = 0;
-  let squares = 0;
   for (let i = 0; i < a.data.length; i++) {
     const difference = Math.abs(a.data[i]! - b.data[i]!);
     if (difference > max) {
@@ -95,62 +84,11 @@ export function compare(a: Picture, b: Picture, tolerance = 0): Difference {
     if (difference > tolerance) {
       beyond++;
     }
-    squares += difference * difference;
   }
-  return { max, share: beyond / a.data.length, rmse: Math.sqrt(squares / a.data.length) };
-}
-
-/**
- * Holds a picture against tests/visual/baselines/<name>.png. With UPDATE_PICTURES=1 it becomes the
- * baseline. On failure the picture and its difference (16 times as strong) lie among the test's
- * results.
- */
-export function expectPicture(name: string, actual: Picture): void {
-  const baseline = fileURLToPath(new URL(`../visual/baselines/${name}.png`, import.meta.url));
-  if (process.env['UPDATE_PICTURES'] === '1') {
-    write(baseline, actual);
-    return;
-  }
-  if (!existsSync(baseline)) {
-    const path = write(base.info().outputPath(`${name}-actual.png`), actual);
-    throw new Error(
-      `No baseline ${name}.png. If ${path} is right, run again with UPDATE_PICTURES=1.`,
-    );
-  }
-  const expected = decodePng(readFileSync(baseline));
-  expect(`${actual.width}×${actual.height}`, `size of ${name}`).toBe(
-    `${expected.width}×${expected.height}`,
-  );
-  const difference = compare(actual, expected, baselineTolerance.codes);
-  if (difference.share <= baselineTolerance.share) return;
-  const path = write(base.info().outputPath(`${name}-actual.png`), actual);
-  write(base.info().outputPath(`${name}-difference.png`), differencePicture(actual, expected));
-  const { share, max, rmse } = difference;
-  throw new Error(
-    `${name}: ${(100 * share).toFixed(2)} % of the channels are off by more than ${baselineTolerance.codes} codes ` +
-      `(largest ${max}, rmse ${rmse.toFixed(2)}); see ${path}`,
-  );
-}
-
-function differencePicture(a: Picture, b: Picture): Picture {
-  const data = new Uint8Array(a.data.length).fill(255);
-  for (let i = 0; i < data.length; i++) {
-    if (i % 4 !== 3) {
-      data[i] = Math.min(255, 16 * Math.abs(a.data[i]! - b.data[i]!));
-    }
-  }
-  return { width: a.width, height: a.height, data };
+  return { max, share: beyond / a.data.length };
 }
 
 export function decodePng(png: Buffer): Picture {
   const { width, height, data } = PNG.sync.read(png);
   return { width, height, data };
-}
-
-function write(path: string, { width, height, data }: Picture): string {
-  const png = new PNG({ width, height });
-  png.data = Buffer.from(data);
-  mkdirSync(dirname(path), { recursive: true });
-  writeFileSync(path, PNG.sync.write(png));
-  return path;
 }

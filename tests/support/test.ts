@@ -19,7 +19,7 @@ import { SharedPage } from './shared-page.js';
 import { startSite, testMounts, type PageOptions, type Site } from './site.js';
 
 export { expect };
-export { compare, expectPicture, pixelAt, pixels, same, type Picture } from './picture.js';
+export { compare, pixelAt, pixels, same, type Picture } from './picture.js';
 export { type Site, strictPolicy } from './site.js';
 
 interface MountOptions extends PageOptions {
