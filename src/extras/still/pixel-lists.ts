@@ -1,6 +1,6 @@
 // By pixel: the things that its rays may meet, so that most need not be asked. The nearest come
 // first, so that a ray ends its search where all others are farther than what it has met.
-import { length, map, type Vec3 } from '../../phong/math/vector.js';
+import { length, type Vec3 } from '../../phong/math/vector.js';
 import type { Screen } from './screen.js';
 
 /** Pixels by which boxes are larger than they are, for the rounding of their corners. */
@@ -29,7 +29,7 @@ export class PixelLists {
   /** No ray meets a thing nearer than this depth. */
   readonly nears: Float64Array;
   count = 0;
-  /** The largest coordinate of a corner. */
+  /** Distance of the farthest corner. */
   reach = 0;
   readonly #screen: Screen;
   /** Left, right, top and bottom pixel of each thing. */
@@ -53,10 +53,11 @@ export class PixelLists {
     let [near, far, unsure] = [Infinity, -Infinity, false];
     for (const corner of corners) {
       const { x, y, depth } = this.#screen.project(corner);
-      this.reach = Math.max(this.reach, ...map(corner, Math.abs));
+      const distance = length(corner);
+      this.reach = Math.max(this.reach, distance);
       near = Math.min(near, depth);
       far = Math.max(far, depth);
-      unsure ||= depth <= LEAST_DEPTH * length(corner);
+      unsure ||= depth <= LEAST_DEPTH * distance;
       left = Math.min(left, x);
       right = Math.max(right, x);
       top = Math.min(top, y);
