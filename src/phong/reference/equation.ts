@@ -259,7 +259,7 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
 }
 
 /** |a - b|²/2 for unit vectors: one minus their cosine, without cancellation at small angles. */
-function halfChord(a: Vec3, b: Vec3): number {
+export function halfChord(a: Vec3, b: Vec3): number {
   const d = subtract(a, b);
   return dot(d, d) / 2;
 }
