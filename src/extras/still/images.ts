@@ -8,7 +8,11 @@ import { IMAGE_SIDE_LIMIT } from '../models/limits.js';
 
 /** @throws ModelError for a format that is not read; Error for a broken file. */
 export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
-  const decoded = isJpeg(bytes) ? await decodeJpeg(bytes) : await decodePng(bytes);
+  const decode = isJpeg(bytes) ? decodeJpeg : decodePng;
+  const decoded = await decode(bytes).catch((cause: unknown) => {
+    // The decoders' own sentences are for programmers.
+    throw cause instanceof ModelError ? cause : new Error('is damaged', { cause });
+  });
   const { width, height, data } = decoded;
   if (Math.max(width, height) > IMAGE_SIDE_LIMIT || width * height > LIMITS.imagePixels) {
     throw new ModelError(
@@ -56,7 +60,7 @@ function wholePng(bytes: Uint8Array): Uint8Array {
       unzip.push(bytes.subarray(at, Math.min(end, at + SLICE)));
     }
   }
-  if (!(unpacked >= least && unpacked <= most)) throw new Error('is damaged');
+  if (!(unpacked >= least && unpacked <= most)) throw new Error('not the rows of its header');
   return bytes.subarray(0, end);
 }
 

@@ -170,6 +170,15 @@ describe('a still', () => {
     await expect(decodeImage({ bytes, type: '' })).rejects.toThrow('is damaged');
   });
 
+  it.each([
+    ['PNG', [0x89, 0x50, 0x4e, 0x47]],
+    ['JPEG', [0xff, 0xd8, 0xff, 0xdb]],
+  ])('says in its own words that a %s is damaged', async (_, start) => {
+    const bytes = new Uint8Array(200);
+    bytes.set(start);
+    await expect(decodeImage({ bytes, type: '' })).rejects.toThrow(/^is damaged$/);
+  });
+
   it('moves a texture as glTF says: first the scale, then the turn', async () => {
     const texels = Array.from({ length: 16 }, (_, i) => [10 * i, 10 * i, 10 * i] as const);
     // The middle, (0.5, 0.5), is scaled to (0.25, 0.5), turned to (0.5, -0.25), and moved to the
