@@ -300,6 +300,9 @@ describe('values in a still’s markup', () => {
     expect(middle).toEqual([200, 200, 200, 255]);
     const page = `<title>a</title>${open}${front(open + WALL + close).replace('>', ' style="width: 9px; height: 9px">')}`;
     expect(readPage(page).viewers).toHaveLength(1);
+    const rooted = `<b><template shadowrootmode="open">${front(WALL)}</template></b>`;
+    expect(readPage(rooted).viewers).toHaveLength(1);
+    expect(readPage(rooted.replace(' shadow', ' ')).viewers).toHaveLength(0);
   });
 
   it('need no end tags, as in a browser', async () => {
