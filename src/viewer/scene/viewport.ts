@@ -110,27 +110,23 @@ export class Viewport {
 
   /** Device pixels of the canvas: fewer than those of {@link whole} while it is reduced. */
   get width(): number {
-    return this.#pixels(this.#wanted.width, this.#share);
+    return Math.ceil(this.whole.width * this.#share);
   }
 
   get height(): number {
-    return this.#pixels(this.#wanted.height, this.#share);
+    return Math.ceil(this.whole.height * this.#share);
   }
 
   /** Device pixels of the picture with all of them, at most what the GPU can draw. */
   get whole(): Size {
+    const share = stage.shareOf(this.#wanted);
     const { width, height } = this.#wanted;
-    return { width: this.#pixels(width, 1), height: this.#pixels(height, 1) };
+    return { width: Math.floor(width * share), height: Math.floor(height * share) };
   }
 
   /** It has fewer pixels than that, as it moves and drawing is slow. */
   get reduced(): boolean {
     return this.#share < 1;
-  }
-
-  #pixels(side: number, share: number): number {
-    const most = Math.floor(side * stage.shareOf(this.#wanted));
-    return Math.ceil(most * share);
   }
 
   /** Joins the page's stage, in the window that shows the holder. */
@@ -176,7 +172,8 @@ export class Viewport {
 
   /** It has another size since it was drawn. */
   get resized(): boolean {
-    const [{ frame }, { width, height }] = [this.picture, this.whole];
+    const { frame } = this.picture;
+    const { width, height } = this.whole;
     return frame.width !== width || frame.height !== height;
   }
 
@@ -326,7 +323,9 @@ export class Viewport {
   }
 
   readonly #render = (renderer: WebGLRenderer): void => {
-    pace.draws(renderer, this.#share);
+    if (!this.isWhole) {
+      pace.draws(renderer, this.#share);
+    }
     this.picture.make(this.whole, 1, this.#share);
     this.picture.draw(renderer);
   };
@@ -377,9 +376,14 @@ export class Viewport {
   }
 
   get stats(): ViewportStats {
-    const [{ programs, viewersDrawn }, { samples }] = [stage, this.still];
-    const counts = { frames: this.#frames, reducedFrames: this.#reducedFrames, samples };
-    return { ...this.picture.stats, ...counts, programs, viewersDrawn };
+    return {
+      ...this.picture.stats,
+      frames: this.#frames,
+      reducedFrames: this.#reducedFrames,
+      samples: this.still.samples,
+      programs: stage.programs,
+      viewersDrawn: stage.viewersDrawn,
+    };
   }
 
   /** What has been drawn is on the pictures' canvases. */

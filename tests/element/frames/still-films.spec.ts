@@ -267,7 +267,7 @@ test('where one sample takes seconds, the plain picture stays, and a quicker one
     };
     performance.now = () => now.call(performance) + 500 * gpu.seen;
   });
-  const viewer = await mount(viewerOf(64), size);
+  const viewer = await mount(viewerOf(64, 'pixel-ratio="1"'), size);
   expect(await samplesOf(viewer)).toBe(0);
   const gpu = await page.evaluateHandle(
     () => Reflect.get(window, 'gpu') as Record<string, unknown>,

@@ -1,28 +1,27 @@
 // Fewer pixels a side while something moves and drawing takes too long, as where a processor stands
-// in for a GPU. By what drawing takes, never by the device's name. A late frame is only the
-// occasion to measure: the page's own work makes frames late too. A fence tells when the GPU has
-// drawn, and frames wait for it meanwhile: the page's thread does not. Milliseconds.
+// in for a GPU. By what drawing takes, never by the device's name. Fences tell how late the GPU is:
+// the browser queues up to 1.5 s of drawing while frames come in time. Frames wait while drawing is
+// measured: the page's thread does not. Milliseconds.
 import type { WebGLRenderer } from 'three';
 
 /** Shares of the pixels a side. */
 const SHARES = [1, 2 / 3, 1 / 2, 1 / 3] as const;
 
-/** Milliseconds after the frame before it from which a frame is late. */
-const LATE = 50;
+/** Drawing is measured once a frame or the GPU is so late: more than two frames at 60 a second. */
+const LATE = 40;
+/** Frames farther apart are no motion. */
+const FAR = 2000;
 /**
- * Drawing that takes less is not why a frame is late. Less than {@link LATE}: the browser has to
- * show the picture as well, which takes about half as long again (software).
+ * Drawing that takes less is quick enough. Less than 50: the browser has to show the picture as
+ * well, which takes about half as long again (software).
  */
 const SLOW = 33;
 /** What drawing may take with fewer pixels. */
 const WANTED = 20;
-/**
- * Milliseconds: the share is raised if no frame of them would have been late with the larger one.
- */
+/** The share is raised after so long with frames that close together: 56 for 1.5² times the pixels. */
 const BEFORE_RAISING = 500;
-/** Frames farther apart are no motion. */
-const FAR = 10_000;
-/** Milliseconds that drawing counts as quick after it was measured as quick. */
+const CLOSE = 25;
+/** Milliseconds without a measurement after one that has changed nothing. */
 const TRUSTED = 2000;
 /**
  * If fewer pixels leave drawing more than this share of its time, vertices are the cause, and all
@@ -37,23 +36,25 @@ const VAIN_FOR = 10_000;
 
 class Pace {
   #step = 0;
-  #begun = -Infinity;
-  /** In a row, since the last measurement. */
-  #frames = 0;
-  /** Frames since the share was lowered, or looked at. */
-  #since = { time: 0, frames: 0 };
-  #quickUntil = 0;
+  #begun = 0;
+  /** From when on frames have been close together. */
+  #since = 0;
+  #trustedUntil = 0;
   /** What drawing took before the share was lowered; 0 once that has helped. */
   #before = 0;
-  /** Share of the pixels a side that was drawn in this frame, or in the one that is measured. */
-  #largest = 0;
-  /** Null until something is drawn, and once the context is closed: it would keep its canvas. */
-  gl: WebGL2RenderingContext | null = null;
-  /**
-   * Of a measurement. 1: the GPU draws what was sent before. 2: it has, and the next frame is the
-   * measured one. 3: it draws that. Frames wait in 1 and 3. 0: nothing is measured.
-   */
-  #phase = 0;
+  #isDrawing = false;
+  /** Largest share of the pixels a side that the last frame has drawn. */
+  #drawn = 0;
+  #gl: WebGL2RenderingContext | null = null;
+  /** What was drawn before it was {@link #sent}, once the GPU passes it. */
+  #fence: WebGLSync | null = null;
+  #sent = 0;
+  /** Frames that were drawn since, or since the GPU had nothing to draw. */
+  #behind = 0;
+  /** Frames wait until the GPU has drawn what was sent. */
+  #waits = false;
+  /** The GPU had nothing to draw before this frame, which is measured. */
+  #measures = false;
 
   /** Share of the pixels a side, for a picture that moves. */
   get share(): number {
@@ -62,85 +63,107 @@ class Pace {
 
   /** Call before a frame draws a scene. True: not in this one, as drawing is being measured. */
   holds(): boolean {
-    const isFree = this.gl !== null && this.#phase === 0 && this.#largest === 0;
-    if (isFree && this.#begin(performance.now())) {
-      void this.#drain();
+    if (this.#waits || this.#isDrawing) return this.#waits;
+    const now = performance.now();
+    const interval = now - this.#begun;
+    this.#begun = now;
+    if (interval > CLOSE || this.#step === 0) {
+      this.#since = now;
+    } else if (now - this.#since > BEFORE_RAISING) {
+      this.#step -= 1;
+      this.#since = this.#trustedUntil = now;
     }
-    return this.#phase % 2 > 0;
+    if (now < this.#trustedUntil) return false;
+    this.#measures = this.#passed() && interval > LATE && interval < FAR;
+    if (this.#fence !== null && now - this.#sent > LATE) {
+      void this.#measure();
+    }
+    return this.#waits;
   }
 
   /** Call before each drawing of a scene, with its share of the pixels a side. */
   draws(renderer: WebGLRenderer, share: number): void {
-    if (this.#largest === 0) {
-      this.gl = renderer.getContext() as WebGL2RenderingContext;
+    if (!this.#isDrawing) {
+      this.#isDrawing = true;
+      this.#drawn = 0;
+      this.#gl = renderer.getContext() as WebGL2RenderingContext;
       queueMicrotask(this.#endFrame);
     }
-    this.#largest = Math.max(this.#largest, share);
+    this.#drawn = Math.max(this.#drawn, share);
+  }
+
+  /** The context is lost or closed: its fences are gone, and it would keep its canvas. */
+  forget(): void {
+    this.#gl = this.#fence = null;
   }
 
   readonly #endFrame = (): void => {
-    if (this.#phase === 2) {
-      void this.#drain();
+    this.#isDrawing = false;
+    if (this.#measures || this.#fence !== null) {
+      this.#behind += 1;
     } else {
-      this.#largest = 0;
+      this.#mark();
+    }
+    if (this.#measures) {
+      this.#measures = false;
+      void this.#measure();
     }
   };
 
-  /** Once before the frame that is measured, and once after it. */
-  async #drain(): Promise<void> {
-    const gl = this.gl!;
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    this.#phase += 1;
-    const sent = performance.now();
-    let time = 0; // in a busy page rather too short
-    while (
-      fence !== null && // the context is not lost
-      gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED
-    ) {
-      time = performance.now() - sent;
+  #mark(): void {
+    const gl = this.#gl;
+    this.#fence = gl && gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl?.flush(); // nothing else may follow for seconds
+    this.#sent = performance.now();
+  }
+
+  /** The GPU has passed the fence, or there is none. */
+  #passed(): boolean {
+    const [gl, fence] = [this.#gl!, this.#fence];
+    if (fence === null) return true;
+    if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
+    gl.deleteSync(fence);
+    this.#fence = null;
+    this.#behind = 0;
+    return true;
+  }
+
+  /** What the GPU takes to pass the fence: in a busy page rather too short. */
+  async #drain(): Promise<number> {
+    let time = 0;
+    while (!this.#passed()) {
+      time = performance.now() - this.#sent;
       await new Promise((resolve) => setTimeout(resolve));
     }
-    gl.deleteSync(fence);
-    this.#phase = (this.#phase + 1) % 4;
-    if (this.#phase > 0) return;
-    this.#end(time, performance.now());
-    this.#largest = 0;
+    return time;
   }
 
-  /** True: its drawing is to be measured. */
-  #begin(now: number): boolean {
-    const interval = now - this.#begun;
-    this.#begun = now;
-    this.#frames = interval < FAR ? this.#frames + 1 : 0;
-    this.#since.frames += 1;
-    const passed = now - this.#since.time;
-    if (passed > BEFORE_RAISING) {
-      const growth = (SHARES[this.#step - 1] ?? Infinity) / this.share;
-      if ((passed / this.#since.frames) * growth ** 2 < LATE) {
-        this.#step -= 1;
-      }
-      this.#since = { time: now, frames: 0 };
+  /** By frames behind the fence: what is before it may have waited for uploads and programs. */
+  async #measure(): Promise<void> {
+    const frames = this.#behind;
+    this.#waits = true;
+    await this.#drain();
+    if (frames > 0) {
+      this.#mark();
+      this.#end((await this.#drain()) / frames);
     }
-    const isLate = interval > LATE && now > this.#quickUntil;
-    return isLate && this.#frames > 1 && (this.#before > 0 || this.#step < SHARES.length - 1);
+    this.#waits = false;
   }
 
-  #end(time: number, now: number): void {
-    const before = this.#before;
-    this.#frames = this.#before = 0;
-    if (time < SLOW) {
-      this.#quickUntil = now + TRUSTED;
-    } else if (this.#largest < 1 && time > VAIN * before && before > 0) {
+  #end(time: number): void {
+    const isVain = this.#drawn < 1 && this.#before > 0 && time > VAIN * this.#before;
+    let trusted = isVain ? VAIN_FOR : TRUSTED;
+    this.#before = 0;
+    if (isVain) {
       this.#step = 0;
-      this.#quickUntil = now + VAIN_FOR;
-    } else {
-      const whole = time / this.#largest ** 2; // with all pixels
-      const fitting = SHARES.findIndex((share) => whole * share ** 2 <= WANTED);
-      const step = Math.max(this.#step, fitting < 0 ? SHARES.length - 1 : fitting);
-      this.#before = step > this.#step ? time : 0;
-      this.#step = step;
-      this.#since = { time: now, frames: 0 };
+    } else if (time > SLOW) {
+      while ((this.share / this.#drawn) ** 2 * time > WANTED && this.#step < SHARES.length - 1) {
+        this.#step += 1;
+        this.#before = time;
+        trusted = 0;
+      }
     }
+    this.#trustedUntil = performance.now() + trusted;
   }
 }
 

@@ -9,15 +9,6 @@ import { NoWebGL2Error } from '../../../phong/material/device.js';
 import { SharedContext } from './context.js';
 import { pace } from './pace.js';
 
-/**
- * Frames in a row that may use less than 1/spare of the canvas before it shrinks: half a second of
- * motion with a GPU. Where drawing is slow, so is what each frame does with all of the canvas.
- */
-const BEFORE_SHRINKING = {
-  quick: { spare: 4, frames: 30 },
-  slow: { spare: 1.5, frames: 2 },
-} as const;
-
 type Draw = (renderer: WebGLRenderer) => void;
 type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
 
@@ -41,6 +32,7 @@ class Stage {
     if (consequence === 'contextLost') {
       this.#drawn.clear();
       this.#places.clear();
+      pace.forget();
     }
     for (const viewport of this.#viewports) {
       viewport[consequence]();
@@ -323,12 +315,13 @@ class Stage {
 
   /**
    * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too
-   * large stays for a while. False where there is no memory for it.
+   * large stays for a while: half a second of motion with a GPU. Where drawing is slow, so is what
+   * each frame does with all of the canvas. False where there is no memory for it.
    */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
-    const { spare, frames } = BEFORE_SHRINKING[pace.share < 1 ? 'slow' : 'quick'];
+    const [spare, frames] = pace.share < 1 ? [1.5, 2] : [4, 30];
     const wasteful = fits && spare * width * height < canvas.width * canvas.height;
     this.#wastefulFrames = wasteful ? this.#wastefulFrames + 1 : 0;
     if (fits && this.#wastefulFrames < frames) return true;
@@ -381,7 +374,7 @@ class Stage {
   readonly #closeIfEmpty = (): void => {
     if (this.#viewports.size === 0) {
       this.#context.close();
-      pace.gl = null;
+      pace.forget();
     }
   };
 }
