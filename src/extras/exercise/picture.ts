@@ -11,7 +11,7 @@ import { refused } from './guard.js';
 import { kindOf } from '../../phong/light/light-features.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
-import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
+import { type Lamp, NO_CONE, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 
 export interface PicturePoints {
   readonly width: number;
@@ -130,15 +130,12 @@ function lampOf(
   const [x, y, z, w] = light.position;
   const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
   const axis = turned(light.axis);
-  const isAxis = dot(axis, axis) > 0;
   return {
     ambient: color(light.ambient),
     diffuse: color(light.diffuse),
     specular: color(light.specular),
     position: [...map(place, Math.fround), w],
-    axis: isAxis ? axis : [0, 0, -1],
-    aperture: isAxis ? light.aperture : 180,
-    cutoff: isAxis ? light.cutoff : 0,
+    ...(dot(axis, axis) > 0 ? { axis, aperture: light.aperture, cutoff: light.cutoff } : NO_CONE),
     attenuation: light.attenuation,
   };
 }

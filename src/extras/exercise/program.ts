@@ -1,6 +1,7 @@
 // Runs a learner's function on points, in a WebGL 2 context of its own: whatever it does, it can
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
+import { GIVEN_GLSL } from './solution.js';
 import type { Lamp } from '../../phong/mistakes/sheet.js';
 import { ALL_TURNS, type Fault, Refused, refused, tooManyTurns } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
@@ -18,27 +19,16 @@ const TOO_LONG = 1e6;
 const WIDTH = 64;
 
 /**
- * What a learner's text stands behind; `exerciseStop` is asked in each turn of a loop. The power of a negative number is undefined in GLSL, and some
- * drivers give that of its amount: here it is not a number.
- * Words of less precision are those of phones, where half floats would make a right function wrong.
+ * What a learner's text stands behind. The guard puts `exerciseStop` into each turn of a loop. The
+ * power of a negative number is undefined in GLSL, and some drivers give that of its amount: here it
+ * is not a number. Words of less precision mean half floats on phones, where these would make a
+ * right function wrong.
  */
 const PRELUDE = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
-struct Light {
-  vec3 ambient, diffuse, specular;
-  vec4 position;
-  vec3 axis;
-  float aperture;
-  float cutoff;
-  vec3 attenuation;
-};
-struct Material {
-  vec3 ka, kd, ks;
-  float shininess;
-};
-vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye);
+${GIVEN_GLSL};
 float exercisePow(float x, float y) {
   return x < 0.0 ? uintBitsToFloat(0x7fc00000u) : pow(x, y);
 }

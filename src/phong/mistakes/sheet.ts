@@ -42,7 +42,7 @@ export interface Scene {
 }
 
 const AXIS: Vec3 = [0, 0, -1];
-const NO_CONE = { axis: AXIS, aperture: 180, cutoff: 0 };
+export const NO_CONE = { axis: AXIS, aperture: 180, cutoff: 0 };
 
 const scene = (
   kind: LightKind,
