@@ -29,12 +29,8 @@ const groups = new WeakMap<Node, Map<string, CameraGroup>>();
  */
 function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup | null {
   const { ownerDocument, parentElement } = viewer;
-  const place =
-    name !== ''
-      ? ownerDocument
-      : parentElement?.localName === 'phong-compare'
-        ? parentElement
-        : null;
+  const compare = parentElement?.localName === 'phong-compare' ? parentElement : null;
+  const place = name === '' ? compare : ownerDocument;
   if (place === null) return null;
   const inPlace = groups.get(place) ?? new Map<string, CameraGroup>();
   groups.set(place, inPlace);

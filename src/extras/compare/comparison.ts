@@ -226,11 +226,8 @@ export class Comparison implements ReactiveController {
   /** `more`: also what the style sheet leaves beside the picture, for the panel. */
   #clip(from: number, to: number, rtl: boolean, more: boolean): string {
     const [before, after] = [`${String(from)}%`, `${String(100 - to)}%`];
-    const sides = this.vertical
-      ? [before, 0, after, 0]
-      : rtl
-        ? [0, before, 0, after]
-        : [0, after, 0, before];
+    const across = rtl ? [0, before, 0, after] : [0, after, 0, before];
+    const sides = this.vertical ? [before, 0, after, 0] : across;
     // A viewer that is clipped away draws nothing.
     const rest = from === to ? '; visibility: hidden' : '';
     if (!more) return `clip-path: inset(${sides.join(' ')})${rest}`;

@@ -224,7 +224,7 @@ function match(tokens: readonly Token[]): void {
 
 /** What a bracket adds to the depth. */
 const depthOf = (text: string): number =>
-  /^[([{]$/.test(text) ? 1 : /^[)\]}]$/.test(text) ? -1 : 0;
+  Number(/^[([{]$/.test(text)) - Number(/^[)\]}]$/.test(text));
 
 /** The index of the bracket that closes the one at `open`. */
 function closing(tokens: readonly Token[], open: number): number {

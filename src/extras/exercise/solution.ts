@@ -32,12 +32,11 @@ export function solutionFor({ terms, kinds, reflection }: Task): string {
     has('diffuse') ? `m.kd * light.diffuse * max(NoL, 0.0)${att}` : '',
     has('specular') ? `m.ks * light.specular * spec${att}` : '',
   ].filter((term) => term !== '');
+  const direction = isSurface ? 'vec3 D = light.position.xyz;' : '';
   const lines = [
     isPlace
       ? 'vec3 D = light.position.w == 0.0 ? light.position.xyz : light.position.xyz - p;'
-      : isSurface
-        ? 'vec3 D = light.position.xyz;'
-        : '',
+      : direction,
     isSurface || isSpot ? 'vec3 L = normalize(D);' : '',
     isSpot
       ? `float c = dot(L, -normalize(light.axis));

@@ -46,7 +46,7 @@ export const stepper = (
     /** From a value that is not in the list, to its first or last. */
     const go = (by: -1 | 1): void => {
       const at = place();
-      const next = values.at(at < 0 ? (by < 0 ? -1 : 0) : Math.max(at + by, 0));
+      const next = values.at(at < 0 ? Math.min(by, 0) : Math.max(at + by, 0));
       if (next !== undefined && !same(next, bound.value)) {
         bound.value = next;
       }

@@ -211,5 +211,7 @@ class NumberField implements RowInput {
   }
 }
 
-const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number =>
-  shiftKey ? 10 : altKey ? 0.1 : 1;
+function factorOf({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number {
+  if (shiftKey) return 10;
+  return altKey ? 0.1 : 1;
+}

@@ -153,7 +153,8 @@ function attenuationAt({ share: { att, d }, light }: TermAt): Factor | null {
   if (att === 1 && !isFading) return null;
   const parts = [kc, kl, kq].flatMap((k, i) => {
     const power = ['', 'd', 'd²'][i]!;
-    return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)}\u00a0${power}`.trim();
+    if (k === 0) return [];
+    return k === 1 && i > 0 ? power : `${exact(k)}\u00a0${power}`.trim();
   });
   const formula = `att = 1 / max(${parts.join(' + ')}, 1)`;
   return {

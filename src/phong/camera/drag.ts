@@ -104,7 +104,7 @@ export function wheelZoom(
   height: number,
   limits: RadiusLimits,
 ): Pose {
-  const unit = deltaMode === 1 ? LINE_PIXELS : deltaMode === 2 ? height : 1;
+  const unit = [1, LINE_PIXELS, height][deltaMode] ?? 1;
   return zoomBy(start, Math.exp((ctrlKey ? PINCH_RATE : WHEEL_RATE) * deltaY * unit), limits);
 }
 

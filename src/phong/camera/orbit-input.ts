@@ -237,12 +237,8 @@ export class OrbitInput {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = keyStep(event.key, event.shiftKey);
     const { orbit, zoom } = this.#host.allows();
-    if (
-      step === undefined ||
-      !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom)
-    ) {
-      return;
-    }
+    if (step === undefined) return;
+    if (!{ turn: orbit, zoom, reset: orbit || zoom }[step.kind]) return;
     event.preventDefault();
     event.stopPropagation(); // slides would turn to the next page
     if (step.kind === 'reset') {

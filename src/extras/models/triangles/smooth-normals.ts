@@ -159,12 +159,10 @@ class Fan {
     const z = this.#z[i]!;
     const triangle = this.#triangles[i]!;
     const group = this.#groups[i]!;
-    const least =
-      group === UNSTATED
-        ? CREASE_COSINE
-        : group !== FACETED && this.#hasOtherSide(i)
-          ? 0
-          : -Infinity;
+    let least = group === UNSTATED ? CREASE_COSINE : -Infinity;
+    if (group !== UNSTATED && group !== FACETED && this.#hasOtherSide(i)) {
+      least = 0;
+    }
     let sumX = 0;
     let sumY = 0;
     let sumZ = 0;

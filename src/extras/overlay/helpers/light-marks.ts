@@ -200,11 +200,10 @@ export function placedLight(
   const [x, y, z] = values.position;
   const inCamera = values.space === 'camera';
   const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToWorld(v) : v);
+  const given: Vec3 = inCamera ? view.toWorld([x, y, z]) : [x, y, z];
   const place = isDirectional(values)
     ? add(scene.center, scale(normalize(turned([x, y, z])), DIRECTIONAL_AT * scene.radius))
-    : inCamera
-      ? view.toWorld([x, y, z])
-      : ([x, y, z] as const);
+    : given;
   if (!isSpot(values)) return { place, spot: null };
   const axis = normalize(turned(values.axis));
   const least = LEAST_GRIP * scene.radius;

@@ -299,7 +299,8 @@ class Probe implements Extra {
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
     if (fragment === null) {
-      return message !== '' ? shown : viewer.loaded ? without(NO_SURFACE) : null;
+      if (message !== '') return shown;
+      return viewer.loaded ? without(NO_SURFACE) : null;
     }
     const depth = projection.depthOf(point);
     if (projection.depthOf(fragment.p) < depth - IN_FRONT / projection.pixelsPerUnit(depth)) {

@@ -88,23 +88,22 @@ function pageViewer(
   const image = element.childNodes.find(
     (child): child is Element => 'tagName' in child && attribute(child, 'slot') === 'poster',
   );
-  const imageAt = image?.sourceCodeLocation ?? null;
   const style = styleOf(element, rules);
+  let skipped = isInComparison(element) ? 'is in a comparison, which sets its size' : null;
+  if (attribute(element, 'poster') !== null) {
+    skipped = 'has a poster of its own, the attribute "poster"';
+  }
+  if (image !== undefined && image.tagName !== 'img') {
+    skipped = `has a poster of its own, <${image.tagName}>`;
+  }
   return {
     line: place.startLine,
     name: attribute(element, 'id') || String(number),
-    markup: without(text.slice(place.startOffset, place.endOffset), imageAt, place.startOffset),
+    markup: without(image, text.slice(place.startOffset, place.endOffset), place.startOffset),
     pictureSize: (unstated) => besidePanel(element, sizeOf(element, style) ?? unstated),
     posterSize: image === undefined ? null : sizeOf(image, ''),
     background: declared(style, 'background-color') ?? declared(style, 'background'),
-    skipped:
-      image !== undefined && image.tagName !== 'img'
-        ? `has a poster of its own, <${image.tagName}>`
-        : attribute(element, 'poster') !== null
-          ? 'has a poster of its own, the attribute "poster"'
-          : isInComparison(element)
-            ? 'is in a comparison, which sets its size'
-            : null,
+    skipped,
     poster: image === undefined ? null : (attribute(image, 'src') ?? ''),
     withPoster(src, { width, height }) {
       const values = { src, width: String(width), height: String(height) };
@@ -118,12 +117,9 @@ function pageViewer(
 }
 
 /** The markup without its poster and the white space before it. */
-function without(
-  markup: string,
-  part: { readonly startOffset: number; readonly endOffset: number } | null,
-  offset: number,
-): string {
-  if (part === null) return markup;
+function without(image: Element | undefined, markup: string, offset: number): string {
+  const part = image?.sourceCodeLocation;
+  if (!part) return markup;
   const before = markup.slice(0, part.startOffset - offset).trimEnd();
   return before + markup.slice(part.endOffset - offset);
 }
