@@ -54,7 +54,11 @@ export function meshShape(
     normals: numbersOf(normal!),
     uvs,
     ...(tangent !== undefined && normalMap !== null && { tangents: numbersOf(tangent) }),
-    ...(color !== undefined && vertexColors !== false && { colors: withAlpha(color), linearColors: vertexColors === 'linear' }), // oxfmt-ignore
+    ...(color !== undefined &&
+      vertexColors !== false && {
+        colors: withAlpha(color),
+        linearColors: vertexColors === 'linear',
+      }),
     ...(index !== undefined && { index }),
   };
   return { shape, textures };

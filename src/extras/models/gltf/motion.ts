@@ -126,6 +126,23 @@ function workOf(
   ].reduce((sum, steps) => sum + steps, 0);
 }
 
+/** The clip of a name; the first one for an empty name, and for an unknown one, which warns once. */
+function clipFinder(file: string, clips: readonly Clip[]): (wanted: string) => Clip {
+  const unknown = new Set<string>();
+  const quoted = (name: string) => JSON.stringify(clip(name));
+  return (wanted) => {
+    const found = clips.find(({ name }) => wanted === '' || name === wanted);
+    if (found === undefined && !unknown.has(wanted)) {
+      const names = listed(clips.map(({ name }) => quoted(name)));
+      console.warn(
+        `${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`,
+      );
+      unknown.add(wanted);
+    }
+    return found ?? clips[0]!;
+  };
+}
+
 function motionOf(
   file: string,
   clips: readonly Clip[],
@@ -150,19 +167,7 @@ function motionOf(
   );
   const matrix = new Matrix4();
   let posed: Clip | null = null;
-  const unknown = new Set<string>();
-  const quoted = (name: string): string => JSON.stringify(clip(name));
-  const clipOf = (wanted: string): Clip => {
-    const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
-    if (found === undefined && !unknown.has(wanted)) {
-      const names = listed(clips.map(({ name }) => quoted(name)));
-      console.warn(
-        `${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`,
-      );
-      unknown.add(wanted);
-    }
-    return found ?? clips[0]!;
-  };
+  const clipOf = clipFinder(file, clips);
   const pose = (next: Clip | null, time: number): void => {
     if (next !== posed) {
       for (const { rest, set } of tracks) {
@@ -200,13 +205,14 @@ function motionOf(
   };
   const reaches = new Map<Clip, GeometrySize | null>();
   const read = async (one: Clip, slices: Slices): Promise<GeometrySize | null> => {
-    const vertices = Array.from(new Set(parts.map(({ geometry }) => geometry)), (geometry) => geometry.getAttribute('position').count); // oxfmt-ignore
+    const geometries = new Set(parts.map(({ geometry }) => geometry));
+    let steps = work;
+    for (const geometry of geometries) {
+      steps += geometry.getAttribute('position').count;
+    }
     const keys = await keysOf(one, slices);
     const reach = new Reach();
-    for (const time of keysWithin(
-      keys,
-      vertices.reduce((sum, count) => sum + count, work),
-    )) {
+    for (const time of keysWithin(keys, steps)) {
       pose(one, time);
       await reach.add(parts, slices);
     }
