@@ -56,7 +56,8 @@ it('the tables of the reference are written from the source (`npm run manifest` 
 });
 
 it('the package exports the class of every element', () => {
-  expect(Object.keys(classes).sort()).toEqual(elements.map(({ className }) => className).sort());
+  const names = elements.map(({ className }) => className);
+  expect(Object.keys(classes)).toEqual(expect.arrayContaining(names));
 });
 
 it('the exports of the package follow from its entries (`npm run manifest` writes them again)', () => {
