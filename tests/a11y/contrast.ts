@@ -1,10 +1,10 @@
 // The colours of a screenshot, and their contrast as WCAG 2.2 defines it.
 
 import type { Locator } from '@playwright/test';
-import { PNG } from 'pngjs';
+import { decodePng, pixelAt } from '../support/picture.js';
 
-/** Codes 0–255. */
-export type Rgb = readonly [number, number, number];
+/** Codes 0–255; of a screenshot with alpha. */
+export type Rgb = readonly [number, number, number, ...number[]];
 
 function luminance(color: Rgb): number {
   const [r, g, b] = color.map((code) => {
@@ -22,9 +22,6 @@ export function contrast(a: Rgb, b: Rgb): number {
 
 /** Takes a screenshot. Returns the colour at a pixel, rounded to whole ones. */
 export async function screenshot(of: Locator): Promise<(x: number, y: number) => Rgb> {
-  const { data, width } = PNG.sync.read(await of.screenshot());
-  return (x, y) => {
-    const at = 4 * (Math.round(y) * width + Math.round(x));
-    return [data[at]!, data[at + 1]!, data[at + 2]!];
-  };
+  const picture = decodePng(await of.screenshot());
+  return (x, y) => pixelAt(picture, Math.round(x), Math.round(y));
 }
