@@ -199,9 +199,9 @@ describe('the files of one model', () => {
     await tick();
     expect([asked(), open.length]).toEqual([8, 8]);
     let most = 0;
-    while (open.length > 0) {
+    while (asked() < 20 || open.length > 0) {
       most = Math.max(most, open.length);
-      open.shift()!();
+      open.shift()?.();
       await tick();
     }
     expect([most, asked()]).toEqual([8, 20]);
@@ -211,7 +211,8 @@ describe('the files of one model', () => {
   it('are a thousand at most', async () => {
     const { open, results, asked } = requests(1010);
     await tick();
-    while (open.length > 0) {
+    // An answer is read in tasks of its own, so between two requests there may be none.
+    while (asked() < 1000 || open.length > 0) {
       open.splice(0).forEach((answer) => answer());
       await tick();
     }
