@@ -62,8 +62,8 @@ export const LIMITS = {
   pixels: 2 ** 26,
 
   /**
-   * Most pixels of an image as it is shown; larger ones are scaled down. While it is uploaded, its
-   * memory is needed four times.
+   * Most pixels of an image; one with more is left out. While it is uploaded, its memory is needed
+   * four times.
    */
   imagePixels: 2 ** 25,
 
