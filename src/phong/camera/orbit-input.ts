@@ -168,7 +168,7 @@ export class OrbitInput {
       this.#lift(event.pointerId);
       return;
     }
-    if (this.#mayScroll(event)) return;
+    if (this.#leavesToPage(event)) return;
     const slop = this.#touching ? SLOP.touch : SLOP.mouse;
     this.#start.left ||=
       Math.hypot(event.clientX - this.#start.x, event.clientY - this.#start.y) > slop;
@@ -177,7 +177,11 @@ export class OrbitInput {
     }
   }
 
-  #mayScroll(event: PointerEvent): boolean {
+  /**
+   * Leaves the first pixels of a vertical touch to the page, which may scroll. True while it does;
+   * from the first move beyond these on the touch drags.
+   */
+  #leavesToPage(event: PointerEvent): boolean {
     if (this.#undecided === undefined) return false;
     const across = Math.abs(event.clientX - this.#undecided.x);
     const along = Math.abs(event.clientY - this.#undecided.y);
