@@ -153,10 +153,13 @@ class Exercise extends ExtraElement<ExerciseValues> {
     await viewer.ready;
     const snapshot = hostOf(viewer).snapshot();
     const { terms, kinds } = this.values;
-    const lit = snapshot.lights.flatMap(({ values }) => (values.active ? [kindOf(values)] : []));
     const task = {
       terms,
-      kinds: kinds ?? KINDS.filter((kind) => lit.includes(kind)),
+      kinds:
+        kinds ??
+        KINDS.filter((kind) =>
+          snapshot.lights.some(({ values }) => values.active && kindOf(values) === kind),
+        ),
       reflection: viewer.reflection,
     };
     const own = await pointsOf(snapshot, task, signal);

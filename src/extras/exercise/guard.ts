@@ -66,8 +66,8 @@ export function guarded(source: string): string {
     throw refused('The text is too long: at most {most} characters.', { most: MOST_CHARACTERS });
   }
   // With every kind of space that editors and web pages put in, and a mark at the beginning.
-  const bare = withoutComments(source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' '));
-  return withStops(bare.split('\n'));
+  const spaced = source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' ');
+  return withStops(withoutComments(spaced).split('\n'));
 }
 
 function withoutComments(source: string): string {
@@ -152,7 +152,8 @@ function withStops(lines: readonly string[]): string {
     open = i;
     i = end;
   }
-  const code = limit(tokens, definitions);
+  const codeOf = counterFor(tokens, definitions);
+  codeOf(tokens);
   // Each line by itself, with what ends a loop and keeps an array short.
   const out = lines.map((line) => (line.includes('#') ? line : ''));
   const closers = new Map<number, string>();
@@ -163,7 +164,11 @@ function withStops(lines: readonly string[]): string {
       throw tooManyTurns(line);
     }
     if (text === 'for') {
-      closers.set(closing(tokens, i + 1), `) if (exerciseStop(${line}, ${code})) break; else`);
+      const head = closing(tokens, i + 1);
+      // What a turn does; without braces all that follows may be in it.
+      const end = tokens[head + 1]?.text === '{' ? closing(tokens, head + 1) : tokens.length;
+      const turn = codeOf(tokens.slice(i + 1, end));
+      closers.set(head, `) if (exerciseStop(${line}, ${turn})) break; else`);
     } else if (isIndex) {
       // 16,000 elements take a compiler a minute: an array has 63 at most.
       closers.set(closing(tokens, i), ') & 63]');
@@ -173,11 +178,11 @@ function withStops(lines: readonly string[]): string {
   return out.join('\n');
 }
 
-/** The size of the code, with a copy of each definition wherever it is named. */
-function limit(
+/** Counts a part of the code, with a copy of each definition wherever it is named. */
+function counterFor(
   tokens: readonly Token[],
   definitions: ReadonlyMap<string, readonly Definition[]>,
-): number {
+): (part: readonly Token[]) => number {
   const has = (word: RegExp): boolean => tokens.some(({ text }) => word.test(text));
   const weight = has(/^mat\d/) ? MATRIX : has(/^for$/) ? REPEATED : 1;
   let code = 0;
@@ -198,8 +203,11 @@ function limit(
       }
     }
   };
-  read(tokens, []);
-  return code;
+  return (part) => {
+    code = 0;
+    read(part, []);
+    return code;
+  };
 }
 
 /** A block in brackets could hide a function from the count. */
@@ -208,8 +216,7 @@ function match(tokens: readonly Token[]): void {
   for (const token of tokens) {
     const { text, line } = token;
     const around = open.at(-1)?.text ?? '';
-    const isClosed = /^(\(\)|\[\]|\{\})$/.test(`${around}${text}`);
-    if (isClosed) {
+    if (/^(\(\)|\[\]|\{\})$/.test(`${around}${text}`)) {
       open.pop();
     } else if (depthOf(text) > 0 && !(text === '{' && /^[([]$/.test(around))) {
       open.push(token);

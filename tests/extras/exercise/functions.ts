@@ -106,6 +106,17 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
   'step by step': RIGHT,
   'in short': SHORT,
   'with functions and a loop': LONG,
+  'with an array, and loops without braces': changed([
+    'vec3 ambient = m.ka * light.ambient;',
+    `const int COUNT = 2 * 2;
+  float few[COUNT] = float[](1.0, 1.0, 1.0, 1.0), one = 0.0;
+  for (int i = 0; i < 3; i++) if (NoL < 0.0) for (uint k = 0u; k < 3u; ++k) one += few[k] / 9.0;
+  else one += few[i] / 3.0;
+  int n = 0;
+  for (int i = 0; i < 100; i++) for (int k = 0; k < 25; k++) { if (k % 2 == 0) continue; n++; }
+  if (n != 1200) one = 0.0;
+  vec3 ambient = one * m.ka * light.ambient;`,
+  ]),
   'terms in another order': changed([SUM, '(specular * att + diffuse * att + ambient) * decay']),
   'a mirrored vector by hand': changed(['reflect(-L, N)', '-L - 2.0 * dot(N, -L) * N']),
   'the eye mirrored in place of the light': changed(['dot(R, V)', 'dot(L, reflect(-V, N))']),
@@ -133,17 +144,6 @@ ${changed(
   ['m.kd * light.diffuse * max(NoL, 0.0)', 'positive(m.kd * light.diffuse * NoL)'],
 )}`,
   'with spaces from elsewhere': `\uFEFF${RIGHT.replaceAll('  ', '\u00A0 ')}`,
-  'with an array, and loops without braces': changed([
-    'vec3 ambient = m.ka * light.ambient;',
-    `const int COUNT = 2 * 2;
-  float few[COUNT] = float[](1.0, 1.0, 1.0, 1.0), one = 0.0;
-  for (int i = 0; i < 3; i++) if (NoL < 0.0) for (uint k = 0u; k < 3u; ++k) one += few[k] / 9.0;
-  else one += few[i] / 3.0;
-  int n = 0;
-  for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) { if (k % 2 == 0) continue; n++; }
-  if (n != 5000) one = 0.0;
-  vec3 ambient = one * m.ka * light.ambient;`,
-  ]),
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 

@@ -26,8 +26,8 @@ interface Result {
   readonly share: number;
   /** Why there is no verdict; empty where there is one. */
   readonly fault: string;
-  /** The first wrong pixel: x, y, and both colours. */
-  readonly pixel: readonly [x: number, y: number, found: string, exact: string] | null;
+  /** The first wrong pixel: x, y, and both colours; empty where there is none. */
+  readonly pixel: readonly (number | string)[];
 }
 
 const say = (line: string): boolean => process.stdout.write(`${line}\n`);
@@ -92,16 +92,15 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   return isWell ? 0 : 1;
 }
 
-const NOTHING = { right: false, mistakes: [], share: 0, pixel: null } as const;
+const NOTHING = { right: false, mistakes: [], share: 0, pixel: [] } as const;
 
 async function launch(executablePath: string | undefined): Promise<Browser> {
   const playwright = await import('@playwright/test').catch(() => {
     throw new Error('check needs @playwright/test: npm install @playwright/test.');
   });
-  // Machines for marking have no GPU.
-  const args = ['--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
   return playwright.chromium.launch({
-    args,
+    // Machines for marking have no GPU.
+    args: ['--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
     ...(executablePath !== undefined && { executablePath }),
   });
 }
@@ -118,11 +117,9 @@ async function openExercise(browser: Browser, file: string, selector: string): P
   await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
     const path = resolve(root, `.${decodeURIComponent(pathname)}`);
-    const isServed = path.startsWith(root + sep) && isFile(path);
-    await route.fulfill(isServed ? { path } : { status: 404 });
+    await route.fulfill(path.startsWith(root + sep) && isFile(path) ? { path } : { status: 404 });
   });
-  const address = relative(root, file).split(sep).map(encodeURIComponent).join('/');
-  await page.goto(`${ORIGIN}/${address}`);
+  await page.goto(`${ORIGIN}/${relative(root, file).split(sep).map(encodeURIComponent).join('/')}`);
   const exercise = page.locator(selector).first();
   try {
     // It may be in a part of the page that is closed.
@@ -158,8 +155,8 @@ async function runInPage(element: Element, source: string): Promise<Result> {
     const found = root.querySelector<HTMLCanvasElement>(canvas);
     return found?.getContext('2d')?.getImageData(0, 0, found.width, found.height);
   });
-  let pixel: Result['pixel'] = null;
-  for (let i = 0; own && exact && pixel === null && i < own.data.length; i += 4) {
+  let pixel: Result['pixel'] = [];
+  for (let i = 0; own && exact && pixel.length === 0 && i < own.data.length; i += 4) {
     const [found, asked] = [own, exact].map(({ data }) => Array.from(data.slice(i, i + 3)));
     if (found!.some((code, k) => Math.abs(code - asked![k]!) > 1)) {
       const at = i / 4;
@@ -171,16 +168,15 @@ async function runInPage(element: Element, source: string): Promise<Result> {
 
 function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
   if (fault !== '') return `${file}: ${fault}`;
-  const [x, y, found, exact] = pixel ?? [];
-  const where = right || pixel === null ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
+  const [x, y, found, exact] = pixel;
+  const where = right || pixel.length === 0 ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
   const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
   return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where}`;
 }
 
 function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
-  const [x = '', y = '', found = '', exact = ''] = pixel ?? [];
-  const cells = [file, right, mistakes.join(' '), share.toFixed(4), x, y, found, exact, fault];
-  return cells
+  const [x = '', y = '', found = '', exact = ''] = pixel;
+  return [file, right, mistakes.join(' '), share.toFixed(4), x, y, found, exact, fault]
     .map((cell) => {
       // A spreadsheet would run what begins so.
       const text = String(cell).replace(/^(?=[=+@-])/, "'");
