@@ -44,15 +44,15 @@ export async function updatePage(file: string, settings: Settings): Promise<bool
     for (const viewer of viewers) {
       const at = `${file}:${String(viewer.line)}:`;
       try {
-        const made = await updateViewer(viewer, { at, targets, settings });
-        edits.push(...made.edits);
-        isWell &&= made.isWell;
+        const own = await updateViewer(viewer, { at, targets, settings });
+        edits.push(...(own ?? []));
+        isWell &&= own !== null;
       } catch (error) {
         complain(`${at} ${messageOf(error)}`);
         isWell = false;
       }
     }
-    if (edits.length > 0 && !settings.check) {
+    if (edits.length > 0) {
       writeFileSync(file, edited(text, edits));
     }
     return isWell;
@@ -83,18 +83,16 @@ interface ViewerPlace {
   readonly settings: Settings;
 }
 
-interface Made {
-  readonly edits: readonly Edit[];
-  readonly isWell: boolean;
-}
-
-/** Draws what is not up to date, and says how the page has to change. */
-async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Made> {
+/** Draws what is not up to date, and says how the page has to change. Null: a check has failed. */
+async function updateViewer(
+  viewer: PageViewer,
+  place: ViewerPlace,
+): Promise<readonly Edit[] | null> {
   const { at, targets, settings } = place;
   const { out, check, scale } = settings;
   if (out === null && viewer.skipped !== null) {
     say(`${at} left alone: it ${viewer.skipped}.`);
-    return { edits: [], isWell: true };
+    return [];
   }
   const size = viewer.pictureSize(settings.size) ?? viewer.posterSize;
   if (size === null) {
@@ -113,7 +111,7 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
   const { path, src } = out === null ? await targets.of(viewer) : { path: out, src: '' };
   if (path === null) {
     say(`${at} left alone: ${src} was not made by this command.`);
-    return { edits: [], isWell: true };
+    return [];
   }
   const edits = out === null ? viewer.withPoster(src, size) : [];
   const stale = existsSync(path) ? await staleness(readFileSync(path), source) : 'is not there';
@@ -124,7 +122,7 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
     if (fault !== null) {
       complain(`${at} ${name} ${fault}.`);
     }
-    return { edits, isWell: fault === null };
+    return fault === null ? [] : null;
   }
   if (stale === null) {
     say(`${at} ${name} is up to date.`);
@@ -136,7 +134,7 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
     const seconds = ((performance.now() - start) / 1000).toFixed(1);
     say(`${at} ${name}, ${String(width)} × ${String(height)}, drawn in ${seconds} s.`);
   }
-  return { edits, isWell: true };
+  return edits;
 }
 
 /** A colour that is opaque; null, and a warning, for what is none. */
