@@ -211,7 +211,11 @@ const theme = EditorView.theme({
   '.cm-content': { padding: '0.5rem 0', caretColor: 'var(--ink)' },
   '.cm-line': { padding: '0 0.75rem' },
   '.cm-attribute': { display: 'inline-block', maxWidth: '100%' },
-  '.cm-fault': { textDecoration: 'underline wavy var(--specular) 1px', textUnderlineOffset: '3px' },
+  // The line does not reach into an inline block by itself.
+  '.cm-fault, .cm-fault .cm-attribute': {
+    textDecoration: 'underline wavy var(--specular) 1px',
+    textUnderlineOffset: '3px',
+  },
   '.cm-cursor': { borderLeftColor: 'var(--ink)' },
   '.cm-tooltip': {
     backgroundColor: 'var(--paper)',

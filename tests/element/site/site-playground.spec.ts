@@ -133,7 +133,9 @@ test('a bad value is named with its line and marked, each time it is there', asy
   const messages = page.locator('#messages');
   for (let i = 0; i < 2; i++) {
     await expect(messages).toContainText('Line 2: <phong-light> position="1 2": expected');
-    await expect(page.locator('.cm-fault')).toHaveText('position="1 2"');
+    const fault = page.locator('.cm-fault .cm-attribute');
+    await expect(fault).toHaveText('position="1 2"');
+    await expect(fault).toHaveCSS('text-decoration-line', 'underline');
     await rewrite(page, SCENE);
     await expect(messages).toBeEmpty();
     await expect(page.locator('.cm-fault')).toHaveCount(0);
