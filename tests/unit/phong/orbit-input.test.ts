@@ -1,12 +1,16 @@
 // Does OrbitInput turn events into camera moves, and does a drag that ends where it began leave a
 // trace? On a surface made of Node's EventTarget; tests/element uses real pointers.
 
+import { setMaxListeners } from 'node:events';
 import { describe, expect, it, vi } from 'vitest';
 import { Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
 import { OrbitInput } from '../../../src/phong/camera/orbit-input.js';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
 import { fullOr, SEED } from '../../support/repeats.js';
 import { seeded } from '../../visual/random-scene.js';
+
+// The input has twelve listeners with one signal. Node warns from eleven on.
+setMaxListeners(12);
 
 class FakeSurface extends EventTarget {
   readonly captured = new Set<number>();
