@@ -131,9 +131,10 @@ function draw(plot: Element): void {
     sizes.unobserve(plot);
     return;
   }
-  plot.replaceChildren(
-    accuracyPlot(accuracy, Math.min(760, Math.floor(plot.clientWidth)), document),
-  );
+  const width = Math.min(760, Math.floor(plot.clientWidth));
+  // None before the page is laid out, and where the plot is hidden.
+  if (width === 0) return;
+  plot.replaceChildren(accuracyPlot(accuracy, width, document));
 }
 
 function tableOf(accuracy: Accuracy): HTMLElement {
