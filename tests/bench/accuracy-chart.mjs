@@ -62,7 +62,7 @@ export function accuracyPlot(accuracy, width, document) {
     },
     y: {
       type: 'log',
-      label: '↓ more exact: largest error, in steps (a colour has 256)',
+      label: '↓ more exact: largest error in steps of 256',
       labelArrow: 'none',
       domain: [LEAST / 2, 256],
       ticks: [1e-4, 1e-3, 0.01, 0.1, 1, 10, 100],
@@ -72,7 +72,7 @@ export function accuracyPlot(accuracy, width, document) {
     r: { type: 'identity' },
     marks: [
       Plot.rect([0], { y1: LEAST / 2, y2: INVISIBLE, fill: 'var(--band)' }),
-      Plot.text(['nobody can see this: less than half a step'], {
+      Plot.text(['invisible: below half a step'], {
         frameAnchor: 'bottom-right',
         dx: -4,
         dy: -6,
@@ -85,13 +85,9 @@ export function accuracyPlot(accuracy, width, document) {
   cleaned(svg).setAttribute('font-size', '12');
   const add = writerOf(svg, document);
   let top = HEIGHT + LINE;
-  add('text', { x: 0, y: top }, 'The larger the dot, the smaller and sharper the');
+  add('text', { x: 0, y: top }, 'The larger a dot, the smaller its highlight:');
   top += LINE;
-  add(
-    'text',
-    { x: 0, y: top },
-    `highlight: its exponent n is ${EXPONENTS.map(exponentText).join(', ')}.`,
-  );
+  add('text', { x: 0, y: top }, `its exponent n is ${EXPONENTS.map(exponentText).join(', ')}.`);
   const columns = Math.max(1, Math.floor(width / NAME_WIDTH));
   WAYS.forEach(({ label, color, fill = color }, i) => {
     const [x, y] = [1 + NAME_WIDTH * (i % columns), top + LINE * (1 + Math.floor(i / columns))];
@@ -113,7 +109,7 @@ export function accuracyPlot(accuracy, width, document) {
  */
 function addPictures(accuracy, width, top, add) {
   const { pictures } = accuracy;
-  const title = `The error × ${MAGNIFIED} where n = ${exponentText(PICTURED.exponent)}: black is exact`;
+  const title = `Errors × ${MAGNIFIED}, n = ${exponentText(PICTURED.exponent)}: black is exact`;
   add('text', { x: 0, y: top }, title);
   const gap = 12;
   const side = Math.floor(Math.min(170, (width - gap * (pictures.length - 1)) / pictures.length));
@@ -124,7 +120,11 @@ function addPictures(accuracy, width, top, add) {
     add('image', { x, y: top + 10, width: side, height: side, href: png });
     const label = WAYS.find((one) => one.way === way)?.label ?? way;
     // On a phone.
-    add('text', { x, y: top + side + 26 }, width < 500 ? label.replace('phong-', '') : label);
+    add(
+      'text',
+      { x, y: top + side + 26 },
+      width < 500 ? label.replace(/phong-| formula/, '') : label,
+    );
     add('text', { x, y: top + side + 41, fill: 'var(--quiet)' }, `${short(error)} steps`);
   });
   return top + side + 48;
