@@ -40,7 +40,7 @@ it.each([
   ['src/extras/overlay', 30_860],
   ['src/extras/probe', 12_460],
   ['src/extras/panel', 19_640],
-  ['src/extras/still', 22_210],
+  ['src/extras/still', 22_260],
   ['src/extras/png', 2_200],
   ['src/extras/lazy', 860],
   ['src/extras/explain', 9_310],

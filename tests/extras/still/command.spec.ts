@@ -60,7 +60,7 @@ test('a page gets its posters, and no other byte of it changes', () => {
 
 test('what is up to date is left alone, and --check fails where something is not', () => {
   const scene = (light: string): string =>
-    `<phong-viewer src="box.ply" style="width: 20px; aspect-ratio: 2">${light}</phong-viewer>`;
+    `<phong-viewer src="box.ply" style="width: 20px">${light}</phong-viewer>`;
   const light = '<phong-light></phong-light>';
   const model = fileURLToPath(new URL('../../fixtures/models/coloured.ply', import.meta.url));
   const folder = folderOf({ 'index.html': scene(light), 'box.ply': readFileSync(model) });
@@ -94,7 +94,7 @@ test('what is up to date is left alone, and --check fails where something is not
 
 test('a poster has the background of its viewer, and --scale gives it more pixels', () => {
   const viewer = (background: string): string =>
-    `<phong-viewer style="width: 9px; height: 9px; ${background}" geometry="box"></phong-viewer>`;
+    `<phong-viewer style="width: 9px; aspect-ratio: 1; ${background}" geometry="box"></phong-viewer>`;
   const folder = folderOf({
     'a.html': viewer('background: rgb(10 20 30)'),
     'b.html': viewer('background: #1238; color: red'),

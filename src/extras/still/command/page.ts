@@ -196,15 +196,16 @@ function styleOf(element: Element, rules: readonly Rule[]): string {
     .join(';');
 }
 
-/** From its style, else from its attributes. */
+/** From its style, else from its attributes. A viewer has a ratio of 2, as its style sheet says. */
 function sizeOf(element: Element, style: string): Size | null {
   const width = pixels(declared(style, 'width')) ?? whole(attribute(element, 'width'));
-  const [, across, down = '1'] =
-    /^([\d.]+)\s*(?:\/\s*([\d.]+))?$/.exec(declared(style, 'aspect-ratio') ?? '') ?? [];
+  const ratio = declared(style, 'aspect-ratio') ?? (element.tagName === 'phong-viewer' ? '2' : '');
+  const [, across, down = '1'] = /^([\d.]+)\s*(?:\/\s*([\d.]+))?$/.exec(ratio) ?? [];
+  const isFree = width !== null && across !== undefined && declared(style, 'height') === null;
   const height =
     pixels(declared(style, 'height')) ??
     whole(attribute(element, 'height')) ??
-    (width !== null && across !== undefined ? (width * Number(down)) / Number(across) : null);
+    (isFree ? (width * Number(down)) / Number(across) : null);
   if (width === null || height === null) return null;
   const size = { width: Math.round(width), height: Math.round(height) };
   return size.width >= 1 && size.height >= 1 && Number.isFinite(size.height) ? size : null;
