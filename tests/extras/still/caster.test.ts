@@ -146,7 +146,7 @@ describe('a ray of the ray caster', () => {
         const { x, y } = tracer.screen.project(subtract(place, scene.camera.eye));
         const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
         tracer.sampleAt(x, y, sample);
-        expect(sample.color[0]).toBeCloseTo(255 * Math.max(dot(N, L), 0), 1);
+        expect(sample.color[0]).toBeCloseTo(255 * Math.max(dot(N, L), 0), 2);
       }
     }
   });
