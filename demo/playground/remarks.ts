@@ -56,6 +56,9 @@ export function remarksOn(text: string): readonly Remark[] {
   return remarks.sort((a, b) => (a.place?.from ?? 0) - (b.place?.from ?? 0)).slice(0, MOST_SHOWN);
 }
 
+/** As sentences write them behind a backslash. */
+const ESCAPED: Readonly<Record<string, string>> = { n: '\n', t: '\t' };
+
 interface Value {
   readonly tag: string;
   readonly attribute: string;
@@ -67,7 +70,7 @@ function valueOf(sentence: string): (Value & { readonly clipped: boolean }) | nu
   const [, tag, attribute, quoted] =
     /^<([\w-]+)>? ([\w-]+)=("(?:[^"\\]|\\.)*")/.exec(sentence) ?? [];
   if (tag === undefined || attribute === undefined || quoted === undefined) return null;
-  const value = quoted.slice(1, -1).replaceAll(/\\(["\\])/g, '$1');
+  const value = quoted.slice(1, -1).replaceAll(/\\(.)/g, (_, c: string) => ESCAPED[c] ?? c);
   const clipped = value.endsWith('...');
   return { tag, attribute, value: clipped ? value.slice(0, -3) : value, clipped };
 }
@@ -84,10 +87,17 @@ function valuesIn(text: string): readonly (Value & Place)[] {
       return {
         tag: tag!.toLowerCase(),
         attribute: attribute!.toLowerCase(),
-        value: double ?? single ?? bare ?? '',
+        value: decoded(double ?? single ?? bare ?? ''),
         from,
         to: from + all.length,
       };
     }),
   ).flat();
+}
+
+/** With what character references such as `&amp;` stand for. */
+function decoded(value: string): string {
+  if (!value.includes('&')) return value;
+  const html = `<p>${value.replaceAll('<', '&lt;')}`;
+  return new DOMParser().parseFromString(html, 'text/html').body.textContent;
 }

@@ -127,14 +127,14 @@ test('a bad value is named with its line and marked, each time it is there', asy
   page,
   consoleGuard,
 }) => {
-  consoleGuard.allow(/position="1 2"/, 1);
-  const bad = SCENE.replace('1 2 3 0', '1 2');
+  consoleGuard.allow(/position="1\\t2"/, 1);
+  const bad = SCENE.replace('1 2 3 0', '1\t&#50;');
   await open(page, bad);
   const messages = page.locator('#messages');
   for (let i = 0; i < 2; i++) {
-    await expect(messages).toContainText('Line 2: <phong-light> position="1 2": expected');
+    await expect(messages).toContainText('Line 2: <phong-light> position="1\\t2": expected');
     const fault = page.locator('.cm-fault .cm-attribute');
-    await expect(fault).toHaveText('position="1 2"');
+    await expect(fault).toHaveText('position="1 &#50;"');
     await expect(fault).toHaveCSS('text-decoration-line', 'underline');
     await rewrite(page, SCENE);
     await expect(messages).toBeEmpty();
