@@ -84,9 +84,10 @@ export class LightSums {
       // The one light of a view shows its decay outside of its cone, too.
       if (!inside && this.count > 1) continue;
       // By chords: behind the spot (1 + c) / 2 would lose all digits.
-      const decay = isSpot
-        ? power(halfChord(L, axis) / 2, halfChord(L, each.away) / 2, light.cutoff)
-        : 1;
+      const decay =
+        isSpot && light.cutoff >= LEAST_EXPONENT
+          ? power(halfChord(L, axis) / 2, halfChord(L, each.away) / 2, light.cutoff)
+          : 1;
       const NoL = dot(N, L);
       if (inside) {
         piece += NoL > 0 ? 2 * each.mark : each.mark;
