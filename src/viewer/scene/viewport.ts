@@ -110,18 +110,21 @@ export class Viewport {
 
   /** Device pixels of the canvas: fewer than those of {@link whole} while it is reduced. */
   get width(): number {
-    return Math.ceil(this.whole.width * this.#share);
+    return Math.ceil(this.#side('width') * this.#share);
   }
 
   get height(): number {
-    return Math.ceil(this.whole.height * this.#share);
+    return Math.ceil(this.#side('height') * this.#share);
   }
 
   /** Device pixels of the picture with all of them, at most what the GPU can draw. */
   get whole(): Size {
-    const share = stage.shareOf(this.#wanted);
-    const { width, height } = this.#wanted;
-    return { width: Math.floor(width * share), height: Math.floor(height * share) };
+    return { width: this.#side('width'), height: this.#side('height') };
+  }
+
+  /** Without an object: frames ask for the size many times. */
+  #side(side: keyof Size): number {
+    return Math.floor(this.#wanted[side] * stage.shareOf(this.#wanted));
   }
 
   /** It has fewer pixels than that, as it moves and drawing is slow. */

@@ -119,7 +119,8 @@ class Pace {
 
   /** The GPU has passed the fence, or there is none. */
   #passed(): boolean {
-    const [gl, fence] = [this.#gl!, this.#fence];
+    const gl = this.#gl!;
+    const fence = this.#fence;
     if (fence === null) return true;
     if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
     gl.deleteSync(fence);

@@ -314,14 +314,17 @@ class Stage {
   }
 
   /**
-   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too
-   * large stays for a while: half a second of motion with a GPU. Where drawing is slow, so is what
-   * each frame does with all of the canvas. False where there is no memory for it.
+   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is more
+   * than `spare` times too large shrinks after some frames: half a second of motion with a GPU.
+   * Where drawing is slow, so is what each frame does with all of the canvas. False where there is
+   * no memory for it.
    */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
-    const [spare, frames] = pace.share < 1 ? [1.5, 2] : [4, 30];
+    const isSlow = pace.share < 1;
+    const spare = isSlow ? 1.5 : 4;
+    const frames = isSlow ? 2 : 30;
     const wasteful = fits && spare * width * height < canvas.width * canvas.height;
     this.#wastefulFrames = wasteful ? this.#wastefulFrames + 1 : 0;
     if (fits && this.#wastefulFrames < frames) return true;
