@@ -29,6 +29,7 @@ const ORDER = [
  */
 export function referencePage(page, elements) {
   const mesh = elements.find(({ tag }) => tag === 'phong-mesh')?.values ?? [];
+  // >>> 0 makes the largest number of -1, which an element without a place here has.
   const rank = (/** @type {Element} */ { tag }) => ORDER.indexOf(tag) >>> 0;
   const inOrder = [...elements].sort((a, b) => rank(a) - rank(b));
   const part = inOrder.map((element) => section(element, mesh)).join('\n');
