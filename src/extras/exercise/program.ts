@@ -199,7 +199,12 @@ async function draw(
   signal: AbortSignal,
 ): Promise<Float32Array> {
   const colors = new Float32Array(3 * cases.length).fill(NaN);
-  let [at, count, most, spent, least] = [0, 1, WIDTH ** 2, 0, QUICK];
+  let at = 0;
+  // Pixels of the next tile, and at most: fewer once a tile was too much work.
+  let count = 1;
+  let most = WIDTH ** 2;
+  let spent = 0;
+  let least = QUICK;
   while (at < cases.length) {
     // Its timers wait for a second, so that drawing would seem slow.
     if (document.hidden) {

@@ -162,7 +162,7 @@ export function* pickNear<Owner>(
       matrixWorld,
       rangeOf(geometry),
       distance,
-      (point) => !isCutOut(drawn, () => point),
+      (found) => !isCutOut(drawn, () => found),
     );
     if (near !== null) {
       distance = length(near.away);
