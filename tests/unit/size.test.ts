@@ -35,7 +35,7 @@ const tokensBelow = (folder: string): number =>
 
 it.each([
   ['src/phong', 70_720],
-  ['src/viewer', 59_850],
+  ['src/viewer', 60_020],
   ['src/extras/models', 66_415],
   ['src/extras/overlay', 30_860],
   ['src/extras/probe', 12_460],
@@ -50,7 +50,7 @@ it.each([
   ['src/extras/frameworks', 1_090],
   ['src/extras/exercise', 11_450],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 514_180],
+  ['tests', 514_340],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);

@@ -34,6 +34,9 @@ const VAIN = 0.9;
  */
 const VAIN_FOR = 10_000;
 
+/** Made once: where memory is short, a measurement must not fail a frame. */
+const pixel = new Uint8Array(4);
+
 class Pace {
   #step = 0;
   #begun = 0;
@@ -53,8 +56,13 @@ class Pace {
   #behind = 0;
   /** Frames wait until the GPU has drawn what was sent. */
   #waits = false;
-  /** The GPU had nothing to draw before this frame, which is measured. */
+  /** This frame's drawing is measured. */
   #measures = false;
+  /**
+   * The page's thread was busy while the last measurement waited, so it says nothing, and the next
+   * one keeps the thread. Without GPU compositing browsers do so themselves after each picture.
+   */
+  #keepsThread = false;
 
   /** Share of the pixels a side, for a picture that moves. */
   get share(): number {
@@ -75,6 +83,9 @@ class Pace {
     }
     if (now < this.#trustedUntil) return false;
     this.#measures = this.#passed() && interval > LATE && interval < FAR;
+    if (this.#measures && this.#keepsThread) {
+      this.#wait(); // what was drawn before does not count
+    }
     if (this.#fence !== null && now - this.#sent > LATE) {
       void this.#measure();
     }
@@ -99,16 +110,28 @@ class Pace {
 
   readonly #endFrame = (): void => {
     this.#isDrawing = false;
-    if (this.#measures || this.#fence !== null) {
+    const measures = this.#measures;
+    this.#measures = false;
+    if (measures && this.#keepsThread) {
+      this.#keepsThread = false;
+      this.#end(this.#wait());
+    } else if (measures) {
       this.#behind += 1;
-    } else {
-      this.#mark();
-    }
-    if (this.#measures) {
-      this.#measures = false;
       void this.#measure();
+    } else if (this.#fence !== null) {
+      this.#behind += 1;
+    } else if (performance.now() > Math.max(this.#sent + LATE, this.#trustedUntil)) {
+      this.#mark(); // not in each frame: a fence takes 0.3 ms of the page's thread (software)
     }
   };
+
+  /** What the GPU takes until it has nothing to draw. The page's thread waits: reading a pixel does. */
+  #wait(): number {
+    const gl = this.#gl!;
+    const begun = performance.now();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return performance.now() - begun;
+  }
 
   #mark(): void {
     const gl = this.#gl;
@@ -129,7 +152,7 @@ class Pace {
     return true;
   }
 
-  /** What the GPU takes to pass the fence: in a busy page rather too short. */
+  /** What the GPU takes to pass the fence, as long as the page's thread was not busy. */
   async #drain(): Promise<number> {
     let time = 0;
     while (!this.#passed()) {
@@ -139,14 +162,18 @@ class Pace {
     return time;
   }
 
-  /** By frames behind the fence: what is before it may have waited for uploads and programs. */
+  /** By the frames behind the fence, where there is one: before it may be uploads and programs. */
   async #measure(): Promise<void> {
     const frames = this.#behind;
     this.#waits = true;
     await this.#drain();
     if (frames > 0) {
       this.#mark();
-      this.#end((await this.#drain()) / frames);
+      const time = await this.#drain();
+      this.#keepsThread = performance.now() - this.#sent - time > LATE;
+      if (!this.#keepsThread) {
+        this.#end(time / frames);
+      }
     }
     this.#waits = false;
   }
