@@ -1,7 +1,7 @@
 // Fewer pixels a side while something moves and drawing takes too long, as where a processor stands
 // in for a GPU. By what drawing takes, never by the device's name. Fences tell how late the GPU is:
 // the browser queues up to 1.5 s of drawing while frames come in time. Frames wait while drawing is
-// measured: the page's thread does not. Milliseconds.
+// measured. The page's thread waits only where it is busy too long to watch a fence. Milliseconds.
 import type { WebGLRenderer } from 'three';
 
 /** Shares of the pixels a side. */
@@ -125,11 +125,16 @@ class Pace {
     }
   };
 
-  /** What the GPU takes until it has nothing to draw. The page's thread waits: reading a pixel does. */
+  /**
+   * What the GPU takes until it has nothing left to draw. Reading a pixel makes the page's thread
+   * wait for it.
+   */
   #wait(): number {
-    const gl = this.#gl!;
+    const gl = this.#gl; // null after a loss
     const begun = performance.now();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    if (gl !== null) {
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    }
     return performance.now() - begun;
   }
 
