@@ -50,7 +50,14 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const viewer = this.#viewer;
     if (viewer === null || viewer === this.#followed) return;
     this.#followed = viewer;
-    viewer.addController({ hostUpdated: () => this.#render() });
+    // Not at each update: a page may move a viewer in each frame.
+    let { texts, alt } = viewer;
+    const hostUpdated = (): void => {
+      if (viewer.texts === texts && viewer.alt === alt) return;
+      ({ texts, alt } = viewer);
+      this.#render();
+    };
+    viewer.addController({ hostUpdated });
     this.#render();
   }
 
