@@ -176,8 +176,7 @@ export class Viewport {
   /** It has another size since it was drawn. */
   get resized(): boolean {
     const { frame } = this.picture;
-    const { width, height } = this.whole;
-    return frame.width !== width || frame.height !== height;
+    return frame.width !== this.#side('width') || frame.height !== this.#side('height');
   }
 
   /** Frames are drawn when something changes. */
