@@ -29,8 +29,8 @@ const ORDER = [
  */
 export function referencePage(page, elements) {
   const mesh = elements.find(({ tag }) => tag === 'phong-mesh')?.values ?? [];
-  // >>> 0 makes the largest number of -1, which an element without a place here has.
-  const rank = (/** @type {Element} */ { tag }) => ORDER.indexOf(tag) >>> 0;
+  const rank = (/** @type {Element} */ { tag }) =>
+    ORDER.includes(tag) ? ORDER.indexOf(tag) : ORDER.length;
   const inOrder = [...elements].sort((a, b) => rank(a) - rank(b));
   const part = inOrder.map((element) => section(element, mesh)).join('\n');
   const [from, to] = [page.indexOf(OPEN), page.indexOf(CLOSE)];
