@@ -1,5 +1,5 @@
 // Numbers and small float64 vectors for the CPU. Unitless; the caller's names give the space.
-// Functions of vectors allocate: do not use them in per-vertex or per-frame loops.
+// Functions of vectors allocate: do not use them in a viewer's per-vertex or per-frame loops.
 
 export type Vec3 = readonly [number, number, number];
 export type Vec4 = readonly [number, number, number, number];
