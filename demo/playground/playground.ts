@@ -6,7 +6,7 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
-import { forgetCurrent, hearRemarks, remarksOn } from './remarks.js';
+import { forgetCurrent, hearFailures, hearRemarks, remarksOn } from './remarks.js';
 import { readScene, sceneElement, sourcesOf, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
@@ -100,7 +100,8 @@ function report(): void {
   }
 }
 
-hearRemarks(() => report());
+hearRemarks(report);
+hearFailures(picture, report);
 
 /** Shows a question with one button, or nothing if no host waits. */
 function askFor(hosts: readonly string[]): void {

@@ -1,5 +1,5 @@
-// What the package says of a scene on the console, for the page: the sentence, and where in the
-// markup the value stands that it is about. Knows no element.
+// What the package says of a scene, on the console or by events, for the page: the sentence, and
+// where in the markup the value stands that it is about. Knows no element.
 
 /** A part of the text. */
 export interface Place {
@@ -37,6 +37,36 @@ export function hearRemarks(changed: () => void): void {
   };
 }
 
+/** Why files cannot be shown, by their addresses. */
+const failed = new Map<string, string>();
+
+/**
+ * Hears which files cannot be shown in this part of the page, and which can after all.
+ * @param changed called after each.
+ */
+export function hearFailures(around: Element, changed: () => void): void {
+  for (const type of ['error', 'load']) {
+    const hear = (event: Event): void => {
+      const { url, message } = (event as CustomEvent<Partial<Failure> | null>).detail ?? {};
+      if (typeof url !== 'string') return;
+      failed.delete(url);
+      if (message !== undefined) {
+        failed.set(url, message);
+        // The console may have the same sentence.
+        current.delete(message);
+      }
+      changed();
+    };
+    // These events do not bubble.
+    around.addEventListener(type, hear, { capture: true });
+  }
+}
+
+interface Failure {
+  readonly url: string | null;
+  readonly message: string;
+}
+
 /** Call when the text has changed. */
 export const forgetCurrent = (): void => current.clear();
 
@@ -53,6 +83,13 @@ export function remarksOn(text: string): readonly Remark[] {
       })
       .map((place) => ({ sentence, place }));
   });
+  for (const place of written) {
+    if (place.attribute !== 'src' || !URL.canParse(place.value, document.baseURI)) continue;
+    const sentence = failed.get(new URL(place.value, document.baseURI).href);
+    if (sentence !== undefined) {
+      remarks.push({ sentence, place });
+    }
+  }
   return remarks.sort((a, b) => (a.place?.from ?? 0) - (b.place?.from ?? 0)).slice(0, MOST_SHOWN);
 }
 

@@ -143,6 +143,25 @@ test('a bad value is named with its line and marked, each time it is there', asy
   }
 });
 
+test('a file that is missing is named with its line and marked until it is there', async ({
+  page,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/404/, 1);
+  let isThere = false;
+  await page.route('**/late.ply', (route) =>
+    isThere ? route.fulfill({ path: 'tests/fixtures/models/coloured.ply' }) : route.continue(),
+  );
+  await open(page, SCENE.replace('geometry="sphere"', 'src="late.ply"'));
+  const messages = page.locator('#messages');
+  await expect(messages).toHaveText('Line 3: The server answered 404 Not Found for late.ply.');
+  await expect(page.locator('.cm-fault .cm-attribute')).toHaveText('src="late.ply"');
+  isThere = true;
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await expect(messages).toBeEmpty();
+  await expect(page.locator('.cm-fault')).toHaveCount(0);
+});
+
 test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
   page,
 }) => {
