@@ -80,13 +80,15 @@ export function headHtml(
     <link rel="stylesheet" href="${root}page.css" />`;
 }
 
+const isInGuide = (path: string): boolean => guide.some((page) => page.path === path);
+
 /** @param inside the page's own sections, if it has a list of them */
 export function headerHtml(path: string, inside: readonly Section[]): string {
   const root = rootFrom(path);
-  const isGuide = guide.some((page) => page.path === path);
   const named = sections.some((section) => section.path === path);
   const items = sections.map((section) => {
-    const part = path.startsWith(section.path) || (isGuide && !named && section === sections[1]);
+    const isAround = isInGuide(path) && !named && section === sections[1];
+    const part = path.startsWith(section.path) || isAround;
     return link(section, root, section.path === path ? 'page' : part ? 'true' : '');
   });
   return `
@@ -114,7 +116,7 @@ function contentsHtml(path: string, root: string, inside: readonly Section[]): s
       ? link(page, root, 'page').replace('</li>', `<ol>${own.join('')}</ol></li>`)
       : link(page, root, ''),
   );
-  const isGuide = guide.some((page) => page.path === path);
+  const isGuide = isInGuide(path);
   const rest = isGuide ? `<ul>${others.map((page) => link(page, root, '')).join('')}</ul>` : '';
   return `
       <nav class="topics" aria-label="${isGuide ? 'Guide' : 'Contents'}">
