@@ -471,9 +471,7 @@ const TURNS = 'Line 1: A loop must be a for. Loops inside each other may run 10\
 /** What the compiler refuses, or the count of turns ends. */
 export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
   'no function': ['float x = 1.0;', 'There is no function shade'],
-  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
   'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
-  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'Line 1: shade has other parameters'],
   recursion: [
     `${HEAD} return shade(light, m, p, normal, eye); }`,
     'A function calls itself: shade',
@@ -481,10 +479,6 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
   'two that call each other': [
     `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
     'A function calls itself: a.',
-  ],
-  'an overload that calls itself': [
-    `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
-    'A function calls itself: f.',
   ],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
   'a missing semicolon': [
@@ -496,10 +490,6 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     'array size',
   ],
   'an endless loop': [`${HEAD} for (;;) {} return p; }`, TURNS],
-  'a long loop': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
-    TURNS,
-  ],
   'a loop that is long at some points': [
     `${HEAD} float s = 0.0; for (int i = 0; i < (p.x > 0.4 ? 2000000000 : 1); i++) s += 1.0; return vec3(s); }`,
     TURNS,
@@ -508,12 +498,22 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     `void back(inout int i) { i = 0; } ${HEAD} for (int i = 0; i < 9; i++) { back(i); } return p; }`,
     TURNS,
   ],
-  'loops in loops': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 110; i++) for (int j = 0; j < 110; j++) s += 1.0; return vec3(s); }`,
-    TURNS,
-  ],
   'loops in calls': [
     `float f() { float s = 0.0; for (int i = 0; i < 200; i++) { s += 1.0; } return s; } ${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) { s += f(); } return vec3(s); }`,
+    TURNS,
+  ],
+  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
+  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'Line 1: shade has other parameters'],
+  'an overload that calls itself': [
+    `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
+    'A function calls itself: f.',
+  ],
+  'a long loop': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
+    TURNS,
+  ],
+  'loops in loops': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 110; i++) for (int j = 0; j < 110; j++) s += 1.0; return vec3(s); }`,
     TURNS,
   ],
 };

@@ -14,7 +14,7 @@ import { STARTS } from '../../release/tabs.js';
 import { modelScenes, siteScenes } from './scenes.js';
 
 /** Small, so that the slow ones among the scenes take a second. */
-const SIZE = { width: 152, height: 84 };
+const SIZE = { width: fullOr(152, 76), height: fullOr(84, 42) };
 
 const SCENES = [
   ...siteScenes(fullOr(Infinity, 3), fullOr(Infinity, 1)),
