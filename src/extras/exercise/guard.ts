@@ -1,6 +1,6 @@
 // Makes a learner's GLSL safe to compile and to run. Neither a compiler nor a frame can be stopped, so
-// the code has a limit, with functions and macros put in where they are used, and each loop counts its
-// turns. What a compiler refuses by itself is left to it.
+// the code has a limit, with functions and macros put in where they are used, and each loop counts what
+// its turns do. What a compiler refuses by itself is left to it.
 import type { ViewerText } from '../../viewer/extra.js';
 
 /** Why there is no verdict. */
@@ -13,12 +13,6 @@ export interface Fault {
 }
 
 const MOST_CHARACTERS = 20_000;
-
-/** Turns of loops inside each other. */
-const MOST_TURNS = 10_000;
-
-/** Those of the innermost loop, and of the loops around it: 10 in each other four times. */
-export const ALL_TURNS = 11_110;
 
 /**
  * Tokens of all code, with a copy of a function or macro wherever it is named: compilers put them in.
@@ -103,10 +97,7 @@ const tokensOf = (text: string, line: number): Token[] =>
 const CHARACTER = 'This character is not allowed here: {character}';
 const DEFINE =
   'Of the lines that begin with # only #define is allowed, without a loop or a block in it.';
-const LOOP = 'A loop must be a for. Loops inside each other may run {most} times at most.';
-const TOO_MUCH = 'The function does too much: loops and calls are limited.';
-
-export const tooManyTurns = (line: number): Refused => refused(LOOP, { most: MOST_TURNS }, line);
+export const TOO_MUCH = 'The function does too much: loops and calls are limited.';
 
 function withStops(lines: readonly string[]): string {
   const definitions = new Map<string, Definition[]>();
@@ -161,7 +152,7 @@ function withStops(lines: readonly string[]): string {
     const next = tokens[i + 1]?.text;
     const isIndex = text === '[' && next !== ']';
     if (/^(while|do)$/.test(text) || (text === 'for' && next !== '(')) {
-      throw tooManyTurns(line);
+      throw refused('A loop must be a for.', {}, line);
     }
     if (text === 'for') {
       const head = closing(tokens, i + 1);

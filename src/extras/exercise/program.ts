@@ -3,7 +3,7 @@
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
 import { GIVEN_GLSL } from './solution.js';
 import type { Lamp } from '../../phong/mistakes/sheet.js';
-import { ALL_TURNS, type Fault, Refused, refused, tooManyTurns } from './guard.js';
+import { type Fault, Refused, refused, TOO_MUCH } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 
@@ -11,9 +11,6 @@ const VERTEX = `#version 300 es
 void main() {
   gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
 }`;
-
-/** In place of the line of a loop: the tile has to be smaller. */
-const TOO_LONG = 1e6;
 
 /** Cases, and lamps, in a row of the texture; side of the largest tile. */
 const WIDTH = 64;
@@ -42,11 +39,10 @@ vec4 exercisePow(vec4 x, vec4 y) {
   return vec4(exercisePow(x.xy, y.xy), exercisePow(x.zw, y.zw));
 }
 uniform int exerciseMost;
-int exerciseTurns, exerciseWork = 0, exerciseLine = 0;
+int exerciseWork = 0, exerciseLine = 0;
 bool exerciseStop(int line, int code) {
   exerciseWork += code;
-  if (exerciseWork > exerciseMost) exerciseLine = ${TOO_LONG};
-  if (++exerciseTurns > ${ALL_TURNS}) exerciseLine = line;
+  if (exerciseWork > exerciseMost) exerciseLine = line;
   return exerciseLine > 0;
 }
 uniform sampler2D exerciseData;
@@ -65,7 +61,6 @@ void main() {
   for (int i = int(p.w); i < int(p.w + normal.w); i++) {
     a = exerciseLight(i, 0); b = exerciseLight(i, 1); c = exerciseLight(i, 2);
     vec4 d = exerciseLight(i, 3), e = exerciseLight(i, 4), f = exerciseLight(i, 5);
-    exerciseTurns = 0;
     sum += shade(
       Light(
         a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), vec4(c.yzw, d.x),
@@ -88,6 +83,9 @@ const PATIENCE = 2000;
 
 /** Milliseconds: only after a quicker tile tiles grow. */
 const QUICK = 100;
+
+/** Pixels of the first tile, and of the smallest. */
+const FEWEST = 4;
 
 /**
  * What the loops of a tile may do, in what the guard counts: half a second in software. A frame that
@@ -201,7 +199,7 @@ async function draw(
   const colors = new Float32Array(3 * cases.length).fill(NaN);
   let at = 0;
   // Pixels of the next tile, and at most: fewer once a tile was too much work.
-  let count = 1;
+  let count = FEWEST;
   let most = WIDTH ** 2;
   let spent = 0;
   let least = QUICK;
@@ -213,7 +211,7 @@ async function draw(
       );
     }
     signal.throwIfAborted();
-    if (spent > PATIENCE || count < 1) {
+    if (spent > PATIENCE) {
       throw refused('The function takes too long: drawing stopped after two seconds.');
     }
     const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
@@ -221,7 +219,7 @@ async function draw(
     const rows = Math.ceil((cases.length - at) / WIDTH);
     const height = width < WIDTH ? 1 : Math.min(count / WIDTH, rows);
     const start = performance.now();
-    gl.uniform1i(mostAt, MOST_WORK / (width * height));
+    gl.uniform1i(mostAt, MOST_WORK / count);
     gl.scissor(x, y, width, height);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -237,11 +235,11 @@ async function draw(
     const floats = new Float32Array(bits.buffer);
     for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
       const line = bits[i + 3]! - 1;
-      if (line === TOO_LONG) {
+      if (line > 0) {
+        if (count === FEWEST) throw refused(TOO_MUCH, {}, line);
         most = count / 4;
         break;
       }
-      if (line > 0) throw tooManyTurns(line);
       // Where the function has discarded the pixel nothing is written.
       if (line === 0) {
         colors.set(floats.subarray(i, i + 3), 3 * at);
