@@ -32,7 +32,7 @@ export function* imagesOf(picture: PicturePoints, colors: Colors): Work<Images> 
   return images;
 }
 
-export function paint(root: ShadowRoot, images: Images): void {
+export function paint(root: ShadowRoot, images: Partial<Images>): void {
   for (const [name, image] of Object.entries(images)) {
     root.querySelector<HTMLCanvasElement>(`#${name}`)?.getContext('2d')?.putImageData(image, 0, 0);
   }

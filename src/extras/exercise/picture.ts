@@ -13,14 +13,16 @@ import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 import { type Lamp, NO_CONE, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 
+/** Of the eye: right, up, back. */
+type Axes = readonly [Vec3, Vec3, Vec3];
+
 export interface PicturePoints {
   readonly width: number;
   readonly height: number;
   readonly cases: readonly Case[];
   /** The pixel of each case, counted in rows from the top. */
   readonly pixels: readonly number[];
-  /** The eye's axes: right, up, back. */
-  readonly axes: readonly [Vec3, Vec3, Vec3];
+  readonly axes: Axes;
   /** Colours are summed in linear light, and encoded when they are shown. */
   readonly linear: boolean;
   /** What the surface of each case adds to the sum itself. */
@@ -57,7 +59,7 @@ function* pixelPoints(
   const height = Math.max(Math.round(scene.height * shrink), 1);
   const { origin, eye, right, up, back } = scene.frame;
   const world = add(origin, eye);
-  const axes = [right, up, back] as const;
+  const axes: Axes = [right, up, back];
   const cases: Case[] = [];
   const pixels: number[] = [];
   const emissive: Vec3[] = [];
@@ -95,15 +97,7 @@ function* pixelPoints(
       emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
     }
   }
-  return {
-    width,
-    height,
-    cases,
-    pixels,
-    axes,
-    linear,
-    emissive,
-  };
+  return { width, height, cases, pixels, axes, linear, emissive };
 }
 
 function shadedPoint(hit: SeenHit) {
@@ -121,12 +115,13 @@ function shadedPoint(hit: SeenHit) {
 function lampOf(
   light: ViewerSnapshot['lights'][number]['values'],
   eye: Vec3,
-  axes: readonly [Vec3, Vec3, Vec3],
+  [right, up, back]: Axes,
   linear: boolean,
 ): Lamp {
   const isCamera = light.space === 'camera';
   const color = (own: Vec3): Vec3 => map(own, (k) => (linear ? srgbDecode(k / 255) : k / 255));
-  const turned = (v: Vec3): Vec3 => (isCamera ? along(axes, v) : v);
+  const turned = ([x, y, z]: Vec3): Vec3 =>
+    isCamera ? add(add(scale(right, x), scale(up, y)), scale(back, z)) : [x, y, z];
   const [x, y, z, w] = light.position;
   const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
   const axis = turned(light.axis);
@@ -140,10 +135,7 @@ function lampOf(
   };
 }
 
-const along = ([right, up, back]: readonly [Vec3, Vec3, Vec3], [x, y, z]: Vec3): Vec3 =>
-  add(add(scale(right, x), scale(up, y)), scale(back, z));
-
-/** The same picture with the lamp of a test scene, its exponent and the length of its normals. */
+/** The same picture as a test scene: with its lamp, its size, its exponent and the length of its normals. */
 export function underScene(
   picture: PicturePoints,
   scene: Scene,
@@ -152,25 +144,23 @@ export function underScene(
   const points = picture.cases.flat().map(({ p }) => p);
   const center = scale(points.reduce<Vec3>(add, [0, 0, 0]), 1 / points.length);
   const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
-  const [x, y, z, w] = scene.position;
-  const place = along(picture.axes, [x, y, z]);
-  const [kc, kl, kq] = scene.attenuation;
+  const [right, up, back] = picture.axes;
+  const turned = (v: Vec3): Vec3 => [dot(right, v), dot(up, v), dot(back, v)];
+  const placed = (p: Vec3): Vec3 => map(turned(subtract(p, center)), (x) => Math.fround(x / size));
   const light = only(terms, {
+    ...scene,
     ambient: [0.25, 0.25, 0.25],
     diffuse: [0.9, 0.9, 0.9],
     specular: [0.9, 0.9, 0.9],
-    position: [...map(w === 1 ? add(center, scale(place, size)) : place, Math.fround), w],
-    axis: along(picture.axes, scene.axis),
-    aperture: scene.aperture,
-    cutoff: scene.cutoff,
-    attenuation: [kc, kl / size, kq / size ** 2],
   });
   // One lamp, however many the picture has.
   const cases = picture.cases.map((at) =>
     at.slice(0, 1).map((given) => ({
       ...given,
       light,
-      normal: scale(given.normal, scene.normal),
+      p: placed(given.p),
+      normal: scale(turned(given.normal), scene.normal),
+      eye: placed(given.eye),
       material: { ...given.material, shininess: scene.shininess },
     })),
   );
