@@ -30,6 +30,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
   #running: AbortController | null = null;
   /** The viewer whose texts are followed. */
   #followed: PhongViewer | null = null;
+  /** Of that viewer, as they are shown. */
+  #texts: PhongViewer['texts'] | undefined;
   #faults: readonly Fault[] = [];
   #shown: Verdict | null = null;
   /** What a right function was asked for. */
@@ -41,28 +43,35 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   protected override declared(): void {
-    this.#render();
     this.found();
+    this.#render();
   }
 
-  /** The viewer and its texts may come later. */
+  /** The viewer and its texts may come later, and others in their place. */
   protected override found(): void {
     const viewer = this.#viewer;
-    if (viewer === null || viewer === this.#followed) return;
-    this.#followed = viewer;
-    // Not at each update: a page may move a viewer in each frame.
-    let { texts, alt } = viewer;
-    const hostUpdated = (): void => {
-      if (viewer.texts === texts && viewer.alt === alt) return;
-      ({ texts, alt } = viewer);
-      this.#render();
-    };
-    viewer.addController({ hostUpdated });
-    this.#render();
+    if (viewer !== this.#followed) {
+      this.#followed?.removeController(this.#follower);
+      viewer?.addController(this.#follower);
+      this.#followed = viewer;
+    }
+    this.#follower.hostUpdated();
   }
+
+  readonly #follower = {
+    hostUpdated: (): void => {
+      // One of several on a page; the author's label comes first.
+      this.internals.ariaLabel = this.#viewer?.alt ?? null;
+      // Not at each update: a page may move a viewer in each frame.
+      if (this.#followed?.texts === this.#texts) return;
+      this.#texts = this.#followed?.texts;
+      this.#render();
+    },
+  };
 
   protected override left(): void {
     this.#stop();
+    this.found();
   }
 
   protected override complain(): void {
@@ -182,8 +191,6 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const { value } = this;
     const isMissing = this.values.required && (this.#written ?? '').trim() === '';
     render(this.#template(value), this.root);
-    // One of several on a page; the author's label comes first.
-    this.internals.ariaLabel = this.#viewer?.alt ?? null;
     const area = this.root.querySelector('textarea')!;
     this.internals.setFormValue(value, this.#written ?? '');
     this.internals.setValidity(
@@ -191,10 +198,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       isMissing ? this.#say('Write the function first.') : '',
       area,
     );
-    const { images = null } = this.#shown ?? {};
-    if (images !== null) {
-      paint(this.root, images);
-    }
+    paint(this.root, this.#shown?.images ?? {});
   }
 
   #template(value: string): TemplateResult {
@@ -304,7 +308,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   #pictures(): TemplateResult | typeof nothing {
-    const { images = null } = this.#shown ?? {};
+    const images = this.#shown?.images ?? null;
     // Those of an earlier run would look like this one's.
     if (images === null || this.#faults.length > 0) return nothing;
     const { hint } = this.values;
