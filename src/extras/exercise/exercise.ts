@@ -28,7 +28,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   #former: string | null = null;
   /** Of the run that goes on. */
   #running: AbortController | null = null;
-  /** The viewer whose texts are followed. */
+  /** The viewer whose texts are followed; while it is missing, any other one. */
   #followed: PhongViewer | null = null;
   /** Of that viewer, as they are shown. */
   #texts: PhongViewer['texts'] | undefined;
@@ -49,7 +49,9 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   /** The viewer and its texts may come later, and others in their place. */
   protected override found(): void {
-    const viewer = this.#viewer;
+    const { isConnected, ownerDocument } = this.element;
+    const any = ownerDocument.querySelector<PhongViewer>('phong-viewer:defined');
+    const viewer = isConnected ? (this.#viewer ?? any) : null;
     if (viewer !== this.#followed) {
       this.#followed?.removeController(this.#follower);
       viewer?.addController(this.#follower);
@@ -105,7 +107,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   readonly #say = (text: string, values: Fault['values'] = {}): string => {
-    const texts = this.textsOf(this.#viewer);
+    const texts = this.textsOf(this.#followed);
     const words = Object.entries(values).map(([key, value]) => [
       key,
       typeof value === 'number' ? localNumber(grouped(value), texts) : value,

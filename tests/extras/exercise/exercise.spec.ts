@@ -5,7 +5,6 @@ import { firstOf, fullOr } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import {
   REFUSED_ONES,
-  RIGHT,
   RIGHT_ONES,
   SLOW,
   STOPPED_ONES,
@@ -14,13 +13,11 @@ import {
 } from './functions.js';
 
 const css = 'phong-viewer { display: block; width: 150px; height: 100px }';
-const viewer = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus" shininess="20">
+const markup = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus" shininess="20">
   <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light>
   <phong-light position="-2 1 1 0" diffuse="120 40 40"></phong-light>
-  <phong-light position="1 2 2" axis="-1 -2 -2" aperture="20" cutoff="4"></phong-light></phong-viewer>`;
-const exercise = (attributes = '', source = ''): string =>
-  `<phong-exercise for="v" ${attributes}><script type="text/plain">\n${source}\n</script></phong-exercise>`;
-
+  <phong-light position="1 2 2" axis="-1 -2 -2" aperture="20" cutoff="4"></phong-light></phong-viewer>
+  <phong-exercise for="v"></phong-exercise>`;
 interface Check {
   readonly right: boolean;
   readonly mistakes: readonly string[];
@@ -29,19 +26,16 @@ interface Check {
 }
 
 /** Writes a function, presses run, and waits for the verdict. */
-const checkOf = (exercises: Locator, source: string | null = null): Promise<Check> =>
-  exercises.first().evaluate(
+const checkOf = (exercise: Locator, source: string): Promise<Check> =>
+  exercise.evaluate(
     (element, text) =>
       new Promise<Check>((resolve) => {
         const own = element as HTMLElement & { value: string };
-        if (text !== null) {
-          own.value = text;
-        }
+        own.value = text;
         own.addEventListener('check', (event) => resolve((event as CustomEvent<Check>).detail), {
           once: true,
         });
-        const run = [...own.shadowRoot!.querySelectorAll('button')][0]!;
-        run.click();
+        own.shadowRoot!.querySelector('button')!.click();
       }),
     source,
   );
@@ -49,10 +43,8 @@ const checkOf = (exercises: Locator, source: string | null = null): Promise<Chec
 const mountOne = async (
   page: Page,
   mount: (markup: string, options: { css: string }) => Promise<Locator>,
-  attributes = '',
-  source = RIGHT,
 ): Promise<Locator> => {
-  await mount(viewer + exercise(attributes, source), { css });
+  await mount(markup, { css });
   const one = page.locator('phong-exercise');
   await expect(one.getByRole('button', { name: 'Run' })).toBeVisible();
   return one;
