@@ -222,15 +222,17 @@ interface Typed {
  */
 export function typedNumber(text: string): Typed | null {
   const plain = text
-    .normalize('NFKC') // full width, ½, 10⁻³
+    .replace(/(?<=\p{Nd})(?=[\p{No}⁻])/u, '^') // 10⁻³ is a power, 1½ no fraction of 11
+    .normalize('NFKC') // full width, ½
     .trim()
+    .replace(/^۰\//, '0.') // Persian keyboards have no other decimal sign
     .replace(/\p{Nd}/gu, digitOf)
     .replace(/[−–]/g, '-')
     .replace(/[,٫]/g, '.')
     .replace('٪', '%')
     .replace('⁄', '/')
-    .replace(/^[=≈]\s*/, '')
-    .replace(/\s*[·⋅×*]\s*10\s*\^?\s*(?=[+-]?\d+$)/, 'e');
+    .replace(/^[=≈~]\s*/, '')
+    .replace(/\s*[·⋅×x*]\s*10\s*\^\s*(?=[+-]?\d+$)/, 'e');
   const match =
     /^([+-]?(?:\d+\.?\d*|\.\d+))(?:e([+-]?\d+))?\s*(?:(%)|\/\s*(\d+\.?\d*|\.\d+))?$/i.exec(plain);
   if (match === null) return null;

@@ -185,8 +185,12 @@ it('explains no 0, and takes digits of any script, commas, percent, fractions an
     '7.5e-1',
     '7,5 · 10⁻¹',
     '= 75×10^-2',
+    '~ 75 x 10^-2',
+    '۰/۷۵',
   ]) {
     expect(typedNumber(typed)?.value, typed).toBeCloseTo(0.75, 12);
   }
-  expect(typedNumber('1/0')).toBeNull();
+  for (const typed of ['1/0', '1½', '3²', '0.5 * 100']) {
+    expect(typedNumber(typed), typed).toBeNull();
+  }
 });
