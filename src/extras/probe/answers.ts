@@ -278,8 +278,8 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   /** Digits that would fit many numbers. */
   const isCoarse = (x: number): boolean =>
     Math.abs(value - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
-  // A bare 0 is an answer, not a rounded one.
-  if (isNear(expected) && !(value === 0 && isCoarse(expected))) {
+  // A bare 0 or 1 is an answer, not a rounded one.
+  if (isNear(expected) && !([0, 1].includes(value) && isCoarse(expected))) {
     const correct = !isCoarse(expected);
     const text = phrase(texts, correct ? NO_MISTAKE : 'Right so far: give more digits.');
     return { value, correct, mistake: correct ? null : 'digits', text };

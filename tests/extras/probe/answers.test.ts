@@ -167,7 +167,7 @@ it('names the mistake that was made, or none, in over 200 answers (seed 56)', ()
   expect(named / answers, `${named} of ${answers}`).toBeGreaterThan(0.6);
 });
 
-it('explains no 0, and takes digits of any script, commas, percent, fractions and powers', () => {
+it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, percent, fractions and powers', () => {
   const lamp = { position: [0, 1, -1, 0], ambient: grey(51), diffuse: grey(204) } as const;
   for (const equation of asked({ lights: [lamp] }).slice(0, -1)) {
     const verdict = judge('0', questionOf(equation, 0), null);
@@ -193,4 +193,6 @@ it('explains no 0, and takes digits of any script, commas, percent, fractions an
   for (const typed of ['1/0', '1½', '3²', '0.5 * 100']) {
     expect(typedNumber(typed), typed).toBeNull();
   }
+  const [, diffuse] = asked({ lights: [{ ...lamp, diffuse: grey(255) }] });
+  expect(judge('1', questionOf(diffuse!, 0), null).mistake).toBeNull();
 });
