@@ -95,9 +95,7 @@ export class Slider implements RowInput {
     }
     input.addEventListener('input', () => {
       this.#shown = '';
-      const place = Number(input.value);
-      accepted(() => (bound.value = this.scale.value(place)));
-      this.#fill(place);
+      accepted(() => (bound.value = this.scale.value(Number(input.value))));
     });
   }
 
@@ -117,19 +115,12 @@ export class Slider implements RowInput {
           step: String(step),
           value: String(place),
         });
-        this.#fill(place);
       }
     }
     const text = numberText(value, this.scale.end - this.scale.start, this.scale.decimals);
     if (input.getAttribute('aria-valuetext') !== text) {
       input.setAttribute('aria-valuetext', text);
     }
-  }
-
-  #fill(place: number): void {
-    const { start, end } = this.scale;
-    const share = clamp((place - start) / (end - start), 0, 1);
-    this.input.style.setProperty('--share', share.toFixed(4));
   }
 }
 

@@ -16,6 +16,7 @@ test('shows θ, φ, radius and eye live while the picture is dragged', async ({ 
   await expect(field(folder, 'θ azimuth °')).toHaveValue('-6');
   await expect(field(folder, 'φ polar °')).toHaveValue('61');
   await expect(slider(folder, 'θ azimuth °')).toHaveValue('-6');
+  await expect(slider(folder, 'θ azimuth °')).not.toHaveAttribute('style'); // the page restyles each
   await page.mouse.move(220, 120);
   await expect(field(folder, 'θ azimuth °')).toHaveValue('-42');
   const { eye } = await cameraOf(viewer);
