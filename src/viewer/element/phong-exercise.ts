@@ -19,8 +19,8 @@ interface ExerciseElement extends ExerciseProperties, FormControl {
 
 /**
  * A lighting function in GLSL to write, and a verdict: right to one 8-bit step, or the mistake by
- * name. The text to begin with stands in a `<script type="text/plain">` inside. A form sends what
- * was written.
+ * name. The text to begin with stands in a `<script type="text/plain">` inside. A form sends
+ * `value`, what was written.
  *
  * @csspart editor - the text field with its line numbers
  * @csspart pictures - the pictures

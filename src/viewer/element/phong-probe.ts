@@ -15,7 +15,7 @@ interface ProbeElement extends ProbeProperties, FormControl {
 
 /**
  * Explains one point of a viewer's picture anywhere on the page, as ordinary HTML in the page's
- * flow, font and colours. In a form it is a control.
+ * flow, font and colours. In a form it is a control: `value` is what was typed, separated by `; `.
  *
  * @csspart title - the light and the term of a line
  * @csspart input - each field for an answer
