@@ -120,16 +120,31 @@ test('the focus moves to the cross-hair when the focused row or button disappear
   await expect(box(viewer)).not.toHaveClass(/pinned/);
 });
 
-test('from right to left the probe keeps to the right edge, and red comes first', async ({
+test('from right to left all begins at the right edge, each sum under its column, and red comes first', async ({
   page,
   mount,
 }) => {
-  const viewer = await mount(scene('probe dir="rtl"'));
-  await page.mouse.click(300, 150);
+  const viewer = await mount(
+    `<div dir="rtl">${scene('id="a" probe probe-at="0 0.2 0.458" view="n-dot-l"')}<phong-probe for="a" as="ask" at="0 0 0.5"></phong-probe></div>`,
+  );
   await expect(box(viewer)).toBeVisible();
+  await assign(page.locator('phong-light').last(), { position: [0, 0, -1, 0] });
+  await expect(page.locator('phong-probe .facts')).toHaveCount(4);
   const { x, width } = (await page.locator('[part=probe]').boundingBox())!;
-  expect(x + width).toBeGreaterThan(580);
-  await expect(viewer.getByRole('table').locator('td').first()).toHaveCSS('direction', 'ltr');
+  expect(x + width).toBeGreaterThan(980);
+  await expect(viewer.getByRole('table').locator('bdi').first()).toHaveCSS('direction', 'ltr');
+  /** How far these texts are from the edge of the elements around them, at most. */
+  const gap = (texts: string, side: 'left' | 'right'): Promise<number> =>
+    page.locator(texts).evaluateAll((all, edge) => {
+      const text = document.createRange();
+      const gaps = all.map((one) => {
+        text.selectNodeContents(one);
+        return Math.abs(one.getBoundingClientRect()[edge] - text.getBoundingClientRect()[edge]);
+      });
+      return Math.max(...gaps);
+    }, side);
+  expect(await gap('.legend-lights, .steps, .title, .facts, th small:not(:empty)', 'right')).toBeLessThan(3); // oxfmt-ignore
+  expect(await gap('[data-column=sum], tfoot td', 'left')).toBeLessThan(3);
 });
 
 test.describe('in forced colours', () => {

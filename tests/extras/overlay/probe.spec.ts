@@ -86,7 +86,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     const cells = await box(viewer)
       .locator('tbody tr')
       .last()
-      .locator('td:not([data-column="…"])')
+      .locator('td:not([data-column="…"]) bdi')
       .allTextContents();
     const { ambient, diffuse, specular, att } = await viewer.evaluate(
       async (element: PhongViewer) => (await element.shadeAt(280, 130))!.shares[1]!,

@@ -80,11 +80,11 @@ export class SumTable {
         (column) =>
           html`<td
             role="cell"
-            dir="ltr"
             class=${column === '…' ? termsOf(row) : nothing}
             data-column=${column}
-            .textContent=${cellText(row, column, texts, digits)}
-          ></td>`,
+          >
+            <bdi dir="ltr" .textContent=${cellText(row, column, texts, digits)}></bdi>
+          </td>`,
       );
     return html`<table
       role="table"
@@ -135,8 +135,8 @@ export class SumTable {
           ({ label, color }) =>
             html`<tr role="row">
               <th role="rowheader" scope="row">${phrase(texts, label)}</th>
-              <td role="cell" dir="ltr" colspan=${columns.length}>
-                ${tripleText(color, digits, texts)}
+              <td role="cell" colspan=${columns.length}>
+                <bdi dir="ltr">${tripleText(color, digits, texts)}</bdi>
               </td>
             </tr>`,
         )}
@@ -169,7 +169,7 @@ export class SumTable {
         aria-pressed=${this.#kept !== undefined && this.#kept === light}
         .textContent=${name}
       ></button
-      ><small .textContent=${absence === null ? '' : phrase(texts, absence)}></small>`;
+      ><small dir="auto" .textContent=${absence === null ? '' : phrase(texts, absence)}></small>`;
   }
 
   #lightAt(target: EventTarget | null): Chosen {
