@@ -1,5 +1,5 @@
 // Are hostile and broken sources refused before anything is compiled, and all others let through?
-import { describe, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { guarded, Refused } from '../../../src/extras/exercise/guard.js';
 import { GIVEN_GLSL } from '../../../src/extras/exercise/solution.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
@@ -24,11 +24,9 @@ function faultIn(source: string) {
 
 const HEAD = 'vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {';
 
-describe('is refused with its reason:', () => {
-  it.each(Object.entries(REFUSED_ONES))('%s', (_, [source, reason]) => {
-    const { text = '', values = {} } = faultIn(source) ?? {};
-    expect(text.replace(/\{(\w+)\}/g, (_all, key) => String(values[key]))).toContain(reason);
-  });
+it.each(Object.entries(REFUSED_ONES))('is refused with its reason: %s', (_, [source, reason]) => {
+  const { text = '', values = {} } = faultIn(source) ?? {};
+  expect(text.replace(/\{(\w+)\}/g, (_all, key) => String(values[key]))).toContain(reason);
 });
 
 it('the function gets every value of a light that enters the equation', () => {

@@ -259,44 +259,42 @@ describe('a ray through triangles', () => {
   });
 });
 
-describe('the point that is nearest to a place', () => {
-  it('lies on a triangle, no farther than any other point of it, under every matrix', () => {
-    const numbers = fc.array(coordinate, { minLength: 27, maxLength: 27 });
-    fc.assert(
-      fc.property(numbers, (at) => {
-        const geometry = triangles(at.slice(0, 18));
-        const place: Vec3 = [at[18]!, at[19]!, at[20]!];
-        const matrix = new Matrix4()
-          .makeRotationFromEuler(new Euler(at[21], at[22], at[23]))
-          .scale(new Vector3(at[24], at[25], at[26]));
-        const { frame } = rayAt(0, 0);
-        const near = answerOf(searchNear(frame, place, geometry, matrix, [0, 6], 1e9, () => true));
-        const position = geometry.getAttribute('position');
-        const corner = (i: number): Vec3 =>
-          new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix).toArray();
-        const mixed = (weights: Vec3, [a, b, c]: readonly [number, number, number]): Vec3 =>
-          add(
-            add(scale(corner(a), weights[0]), scale(corner(b), weights[1])),
-            scale(corner(c), weights[2]),
-          );
-        // Triangles of no area are not drawn.
-        const seen = [0, 3].filter((i) => {
-          const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
-          return length(cross(subtract(b, a), subtract(c, a))) > 1e-9;
-        });
-        if (seen.length === 0) return;
-        const found = mixed(near!.weights, near!.corners);
-        expect(length(subtract(subtract(found, place), near!.away))).toBeLessThan(1e-12);
-        expect(Math.min(...near!.weights)).toBeGreaterThanOrEqual(0);
-        for (const first of seen) {
-          for (let i = 0; i <= 8; i++) {
-            for (let j = 0; i + j <= 8; j++) {
-              const other = mixed([i / 8, j / 8, (8 - i - j) / 8], [first, first + 1, first + 2]);
-              expect(length(near!.away)).toBeLessThan(length(subtract(other, place)) + 1e-9);
-            }
+it('the point that is nearest to a place lies on a triangle, none is nearer, under every matrix', () => {
+  const numbers = fc.array(coordinate, { minLength: 27, maxLength: 27 });
+  fc.assert(
+    fc.property(numbers, (at) => {
+      const geometry = triangles(at.slice(0, 18));
+      const place: Vec3 = [at[18]!, at[19]!, at[20]!];
+      const matrix = new Matrix4()
+        .makeRotationFromEuler(new Euler(at[21], at[22], at[23]))
+        .scale(new Vector3(at[24], at[25], at[26]));
+      const { frame } = rayAt(0, 0);
+      const near = answerOf(searchNear(frame, place, geometry, matrix, [0, 6], 1e9, () => true));
+      const position = geometry.getAttribute('position');
+      const corner = (i: number): Vec3 =>
+        new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix).toArray();
+      const mixed = (weights: Vec3, [a, b, c]: readonly [number, number, number]): Vec3 =>
+        add(
+          add(scale(corner(a), weights[0]), scale(corner(b), weights[1])),
+          scale(corner(c), weights[2]),
+        );
+      // Triangles of no area are not drawn.
+      const seen = [0, 3].filter((i) => {
+        const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+        return length(cross(subtract(b, a), subtract(c, a))) > 1e-9;
+      });
+      if (seen.length === 0) return;
+      const found = mixed(near!.weights, near!.corners);
+      expect(length(subtract(subtract(found, place), near!.away))).toBeLessThan(1e-12);
+      expect(Math.min(...near!.weights)).toBeGreaterThanOrEqual(0);
+      for (const first of seen) {
+        for (let i = 0; i <= 8; i++) {
+          for (let j = 0; i + j <= 8; j++) {
+            const other = mixed([i / 8, j / 8, (8 - i - j) / 8], [first, first + 1, first + 2]);
+            expect(length(near!.away)).toBeLessThan(length(subtract(other, place)) + 1e-9);
           }
         }
-      }),
-    );
-  });
+      }
+    }),
+  );
 });

@@ -1,7 +1,7 @@
 // Does reading a text format let other tasks run after a bounded amount of work, whatever the file
 // is made of: one line, one list, one polygon, one vertex, one word? Its pauses
 // count the slices.
-import { describe, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { countedPauses, heardWarnings, loadFiles, type FileContent } from './model-files.js';
 
 heardWarnings();
@@ -50,33 +50,31 @@ const FACET =
   'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
 const NAMES = `solid ${'facet normal '.repeat(100)}\nendsolid\n`.repeat(MANY / 1300);
 
-describe('other tasks can run while a file is read', () => {
-  it.each<[what: string, files: Files]>([
-    ['an OBJ comment', obj(`# ${'x'.repeat(MANY)}\n${SOUND}`)],
-    ['empty lines', obj(`${QUAD}${'\n'.repeat(MANY)}f 1 2 3 4`)],
-    ['blanks in a line', obj(`${SOUND}f 1 2${' '.repeat(MANY)}3`)],
-    ['a word', obj(`${SOUND}v ${'1'.repeat(MANY)} 2 3`)],
-    ['statements of MTL', withMtl('newmtl m\n' + 'Kd 1 1 1\n'.repeat(MANY / 9))],
-    ['a line of MTL', withMtl(`newmtl m\nmap_Kd ${'x'.repeat(MANY)}`)],
-    ['MTL in UTF-16', withMtl(utf16)],
-    ['a polygon of PLY', ply(`${SQUARE}${MANY / 2} ${'0 1 2 3 '.repeat(MANY / 8)}`)],
-    [
-      'a list that is skipped',
-      ply(`${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`, [
-        ...SKIPPED,
-        ...VERTICES,
-        ...FACES,
-      ]),
-    ],
-    [
-      'a header of PLY',
-      ply(`${SQUARE}4 0 1 2 3`, [...Array<string>(MANY / 8).fill('x'), ...VERTICES, ...FACES]),
-    ],
-    ['comments of PLY', ply(`${'comment\n'.repeat(MANY / 8)}${SQUARE}4 0 1 2 3`)],
-    ['corners around a vertex', ply(POINTS.join('') + FANS.join(''), HEAD_OF_FANS)],
-    ['names of STL', { 'a.stl': `${NAMES}solid a\n${FACET}endsolid` }],
-  ])('made of %s', async (_, files) => {
-    expect((await loadFiles(files)).parts.length).toBeGreaterThan(0);
-    expect(pauses.count).toBeGreaterThanOrEqual(8);
-  });
+it.each<[what: string, files: Files]>([
+  ['an OBJ comment', obj(`# ${'x'.repeat(MANY)}\n${SOUND}`)],
+  ['empty lines', obj(`${QUAD}${'\n'.repeat(MANY)}f 1 2 3 4`)],
+  ['blanks in a line', obj(`${SOUND}f 1 2${' '.repeat(MANY)}3`)],
+  ['a word', obj(`${SOUND}v ${'1'.repeat(MANY)} 2 3`)],
+  ['statements of MTL', withMtl('newmtl m\n' + 'Kd 1 1 1\n'.repeat(MANY / 9))],
+  ['a line of MTL', withMtl(`newmtl m\nmap_Kd ${'x'.repeat(MANY)}`)],
+  ['MTL in UTF-16', withMtl(utf16)],
+  ['a polygon of PLY', ply(`${SQUARE}${MANY / 2} ${'0 1 2 3 '.repeat(MANY / 8)}`)],
+  [
+    'a list that is skipped',
+    ply(`${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`, [
+      ...SKIPPED,
+      ...VERTICES,
+      ...FACES,
+    ]),
+  ],
+  [
+    'a header of PLY',
+    ply(`${SQUARE}4 0 1 2 3`, [...Array<string>(MANY / 8).fill('x'), ...VERTICES, ...FACES]),
+  ],
+  ['comments of PLY', ply(`${'comment\n'.repeat(MANY / 8)}${SQUARE}4 0 1 2 3`)],
+  ['corners around a vertex', ply(POINTS.join('') + FANS.join(''), HEAD_OF_FANS)],
+  ['names of STL', { 'a.stl': `${NAMES}solid a\n${FACET}endsolid` }],
+])('other tasks can run while a file is read made of %s', async (_, files) => {
+  expect((await loadFiles(files)).parts.length).toBeGreaterThan(0);
+  expect(pauses.count).toBeGreaterThanOrEqual(8);
 });

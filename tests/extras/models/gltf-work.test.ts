@@ -2,7 +2,7 @@
 // lists is long? Every look at the clock says that the task has taken long enough, so that the
 // pauses count the slices.
 import { Mesh } from 'three';
-import { describe, expect, it, vi } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import { glbOf, type Json } from '../../fuzz/glb.js';
 import { triangleDocument, triangleGlb } from '../../fuzz/models.js';
 import { countedPauses, heardWarnings, loadFiles } from './model-files.js';
@@ -29,36 +29,31 @@ const channel = { sampler: 0, target: { node: 0, path: 'translation' } };
 const broken = { samplers: [{ input: 3, output: 2 }], channels: [channel] };
 const back = { ...SCALAR, count: 2, bufferView: 0, byteOffset: 12 };
 
-describe('a document is read in slices', () => {
-  it.each<[what: string, more: Json]>([
-    ['skins', { skins: Array<Json>(MANY).fill({ joints: [0] }) }],
-    ['materials', { materials: Array<Json>(MANY).fill({}) }],
-    ['textures', { textures: Array<Json>(MANY).fill({}) }],
-    ['empty animations', { animations: Array<Json>(MANY).fill({}) }],
-    [
-      'animations without samplers',
-      { animations: Array<Json>(MANY).fill({ channels: [channel] }) },
-    ],
-    [
-      'animations whose times go back',
-      {
-        accessors: [POSITIONS!, SCALAR, { ...VEC3, count: 2 }, back],
-        animations: Array<Json>(MANY).fill(broken),
-      },
-    ],
-    [
-      'animations that play',
-      {
-        accessors: [POSITIONS!, SCALAR, VEC3],
-        animations: Array<Json>(MANY).fill({ samplers: [sampler], channels: [channel] }),
-      },
-    ],
-  ])('of many %s', async (_, more) => {
-    const before = await pausesWith({});
-    pauses.count = 0;
-    // Besides parsing, which pauses after some thousand values.
-    expect((await pausesWith(more)) - before).toBeGreaterThanOrEqual(MANY / 32);
-  });
+it.each<[what: string, more: Json]>([
+  ['skins', { skins: Array<Json>(MANY).fill({ joints: [0] }) }],
+  ['materials', { materials: Array<Json>(MANY).fill({}) }],
+  ['textures', { textures: Array<Json>(MANY).fill({}) }],
+  ['empty animations', { animations: Array<Json>(MANY).fill({}) }],
+  ['animations without samplers', { animations: Array<Json>(MANY).fill({ channels: [channel] }) }],
+  [
+    'animations whose times go back',
+    {
+      accessors: [POSITIONS!, SCALAR, { ...VEC3, count: 2 }, back],
+      animations: Array<Json>(MANY).fill(broken),
+    },
+  ],
+  [
+    'animations that play',
+    {
+      accessors: [POSITIONS!, SCALAR, VEC3],
+      animations: Array<Json>(MANY).fill({ samplers: [sampler], channels: [channel] }),
+    },
+  ],
+])('a document is read in slices of many %s', async (_, more) => {
+  const before = await pausesWith({});
+  pauses.count = 0;
+  // Besides parsing, which pauses after some thousand values.
+  expect((await pausesWith(more)) - before).toBeGreaterThanOrEqual(MANY / 32);
 });
 
 it('a GLB of many empty chunks is read in slices', async () => {

@@ -138,58 +138,59 @@ test.describe('the probe between the dividers of a comparison', () => {
   });
 });
 
-test.describe('names of lights and axes', () => {
-  /** The names that a box covers, and the boxes that cover each other or leave the picture. */
-  const clashes = (viewer: Locator): Promise<string[]> =>
-    viewer.evaluate((element) => {
-      const root = element.shadowRoot!;
-      const whole = element.getBoundingClientRect();
-      const boxes = [...root.querySelectorAll('.legend, .box')]
-        .filter((box) => box.checkVisibility())
-        .map((box) => [box.className, box.getBoundingClientRect()] as const);
-      const names = Array.from(
-        root.querySelectorAll('.helpers text'),
-        (name) => [name.textContent, name.getBoundingClientRect()] as const,
-      );
-      const all = [...boxes, ...names];
-      return all.flatMap(([what, a], i) => [
-        ...all
-          .slice(i + 1)
-          .filter(
-            ([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom,
-          )
-          .map(([other]) => `${what} and ${other}`),
-        ...(a.left < whole.left ||
-        a.right > whole.right ||
-        a.top < whole.top ||
-        a.bottom > whole.bottom
-          ? [`${what} leaves the picture`]
-          : []),
-      ]);
-    });
-
-  test('keep clear of legend and probe at any width', async ({ page, mount }) => {
-    test.setTimeout(600_000);
-    const extras = 'view="n-dot-l" probe probe-at="0 0 0.5" helpers="lights axes"';
-    const viewer = await mount(ball(extras), { height: 400 });
-    const found: string[] = [];
-    const names: number[] = [];
-    for (const view of ['n-dot-l', 'shaded'] as const) {
-      await assign(viewer, { view });
-      for (const width of firstOf(
-        [140, 259, 260, 479, 480, 1000, 210, 340, 560, 640, 800, ...EACH_WIDTH],
-        6,
-      )) {
-        await setWidth(viewer, width);
-        await laidOut(page);
-        await nextFrame(page);
-        found.push(...(await clashes(viewer)).map((text) => `${view}, ${width}: ${text}`));
-        names.push(await viewer.locator('.helpers text').count());
-      }
-    }
-    expect(found).toEqual([]);
-    expect(Math.max(...names), 'where there is room').toBeGreaterThan(4);
+/** The names that a box covers, and the boxes that cover each other or leave the picture. */
+const clashes = (viewer: Locator): Promise<string[]> =>
+  viewer.evaluate((element) => {
+    const root = element.shadowRoot!;
+    const whole = element.getBoundingClientRect();
+    const boxes = [...root.querySelectorAll('.legend, .box')]
+      .filter((box) => box.checkVisibility())
+      .map((box) => [box.className, box.getBoundingClientRect()] as const);
+    const names = Array.from(
+      root.querySelectorAll('.helpers text'),
+      (name) => [name.textContent, name.getBoundingClientRect()] as const,
+    );
+    const all = [...boxes, ...names];
+    return all.flatMap(([what, a], i) => [
+      ...all
+        .slice(i + 1)
+        .filter(
+          ([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom,
+        )
+        .map(([other]) => `${what} and ${other}`),
+      ...(a.left < whole.left ||
+      a.right > whole.right ||
+      a.top < whole.top ||
+      a.bottom > whole.bottom
+        ? [`${what} leaves the picture`]
+        : []),
+    ]);
   });
+
+test('names of lights and axes keep clear of legend and probe at any width', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(600_000);
+  const extras = 'view="n-dot-l" probe probe-at="0 0 0.5" helpers="lights axes"';
+  const viewer = await mount(ball(extras), { height: 400 });
+  const found: string[] = [];
+  const names: number[] = [];
+  for (const view of ['n-dot-l', 'shaded'] as const) {
+    await assign(viewer, { view });
+    for (const width of firstOf(
+      [140, 259, 260, 479, 480, 1000, 210, 340, 560, 640, 800, ...EACH_WIDTH],
+      6,
+    )) {
+      await setWidth(viewer, width);
+      await laidOut(page);
+      await nextFrame(page);
+      found.push(...(await clashes(viewer)).map((text) => `${view}, ${width}: ${text}`));
+      names.push(await viewer.locator('.helpers text').count());
+    }
+  }
+  expect(found).toEqual([]);
+  expect(Math.max(...names), 'where there is room').toBeGreaterThan(4);
 });
 
 test('the lines of helpers lie below the box of the probe and the legend', async ({

@@ -147,22 +147,22 @@ test('a file that is not found is named', async ({ mount, consoleGuard }) => {
   await expect(viewer.locator('[part=notice]')).toContainText('nowhere.glb');
 });
 
-test.describe('the playground', () => {
-  const text = async (page: Page): Promise<string> =>
-    (await page.locator('.cm-line').allTextContents()).join('\n');
+const text = async (page: Page): Promise<string> =>
+  (await page.locator('.cm-line').allTextContents()).join('\n');
 
-  test('takes the scene of a dropped picture as its text, and takes it back', async ({ page }) => {
-    await page.goto(`/demo/${linkTo(BEFORE)}`);
-    await allReady(page);
-    await expect(page.locator('.cm-content')).toBeVisible();
-    const before = await text(page);
-    await drop(page.locator('.picture'), holding(SCENE));
-    await expect.poll(() => text(page)).toContain('tomato');
-    expect(await htmlOf(page.locator('phong-viewer'))).toContain('geometry="cone"');
-    await page.locator('.cm-content').click();
-    await page.keyboard.press('ControlOrMeta+z');
-    await expect.poll(() => text(page)).toBe(before);
-    await drop(page.locator('.picture'), plain);
-    await expect(page.locator('#messages')).toHaveText(/holds no scene/);
-  });
+test('the playground takes the scene of a dropped picture as its text, and takes it back', async ({
+  page,
+}) => {
+  await page.goto(`/demo/${linkTo(BEFORE)}`);
+  await allReady(page);
+  await expect(page.locator('.cm-content')).toBeVisible();
+  const before = await text(page);
+  await drop(page.locator('.picture'), holding(SCENE));
+  await expect.poll(() => text(page)).toContain('tomato');
+  expect(await htmlOf(page.locator('phong-viewer'))).toContain('geometry="cone"');
+  await page.locator('.cm-content').click();
+  await page.keyboard.press('ControlOrMeta+z');
+  await expect.poll(() => text(page)).toBe(before);
+  await drop(page.locator('.picture'), plain);
+  await expect(page.locator('#messages')).toHaveText(/holds no scene/);
 });

@@ -117,37 +117,32 @@ describe('a picture by the ray caster', () => {
   });
 });
 
-describe('a ray of the ray caster', () => {
-  const lights = [new LightState({ position: [1, 2, 3, 0], specular: [0, 0, 0] }).values];
-  const L = normalize([1, 2, 3]);
+const lights = [new LightState({ position: [1, 2, 3, 0], specular: [0, 0, 0] }).values];
+const L = normalize([1, 2, 3]);
 
-  it('sees N·L at known points of spheres that are moved, stretched and mirrored', () => {
-    for (const stretch of [
-      [1, 1, 1],
-      [1, 0.5, 2],
-      [-1, 1, 0.3],
+it('a ray sees N·L at known points of spheres that are moved, stretched and mirrored', () => {
+  for (const stretch of [
+    [1, 1, 1],
+    [1, 0.5, 2],
+    [-1, 1, 0.3],
+  ] as const) {
+    const [a, b, c] = stretch;
+    const matrix = [a, 0, 0, 0, 0, b, 0, 0, 0, 0, c, 0, 0.2, 0.1, 0, 1];
+    const scene = { ...sceneOf(4, { shape: SPHERE, material: WHITE, matrix }), lights };
+    const tracer = new Tracer(scene, 100, 100);
+    for (const direction of [
+      [0, 0, 1],
+      [0.6, 0, 0.8],
+      [-0.36, 0.48, 0.8],
     ] as const) {
-      const [a, b, c] = stretch;
-      const matrix = [a, 0, 0, 0, 0, b, 0, 0, 0, 0, c, 0, 0.2, 0.1, 0, 1];
-      const scene = { ...sceneOf(4, { shape: SPHERE, material: WHITE, matrix }), lights };
-      const tracer = new Tracer(scene, 100, 100);
-      for (const direction of [
-        [0, 0, 1],
-        [0.6, 0, 0.8],
-        [-0.36, 0.48, 0.8],
-      ] as const) {
-        // On the side toward the eye, whichever way the shape is mirrored.
-        const local = scale(
-          [a < 0 ? -direction[0] : direction[0], direction[1], direction[2]],
-          0.5,
-        );
-        const place: Vec3 = [a * local[0] + 0.2, b * local[1] + 0.1, c * local[2]];
-        const N = normalize([local[0] / a, local[1] / b, local[2] / c]);
-        const { x, y } = tracer.screen.project(subtract(place, scene.camera.eye));
-        const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
-        tracer.sampleAt(x, y, sample);
-        expect(sample.color[0]).toBeCloseTo(255 * Math.max(dot(N, L), 0), 2);
-      }
+      // On the side toward the eye, whichever way the shape is mirrored.
+      const local = scale([a < 0 ? -direction[0] : direction[0], direction[1], direction[2]], 0.5);
+      const place: Vec3 = [a * local[0] + 0.2, b * local[1] + 0.1, c * local[2]];
+      const N = normalize([local[0] / a, local[1] / b, local[2] / c]);
+      const { x, y } = tracer.screen.project(subtract(place, scene.camera.eye));
+      const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
+      tracer.sampleAt(x, y, sample);
+      expect(sample.color[0]).toBeCloseTo(255 * Math.max(dot(N, L), 0), 2);
     }
-  });
+  }
 });

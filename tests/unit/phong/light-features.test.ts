@@ -21,18 +21,16 @@ const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as
 const darkLamp = { ...lamp, ...black } as const;
 const darkSpot = { ...spot, ...black } as const;
 
-describe('the kind of a light', () => {
-  it.each<[string, Partial<LightValues>, string]>([
-    ['w = 0 with a cone', { aperture: 20, cutoff: 5 }, 'directional'],
-    ['a cone of no width', { ...lamp, aperture: 0 }, 'spot'],
-    ['a decay', { ...lamp, cutoff: 1e-6 }, 'spot'],
-    ['a decay too slight to be one', { ...lamp, cutoff: 9.99e-7 }, 'point'],
-    ['an axis alone', { ...lamp, axis: [1, 2, 3] }, 'point'],
-    ['a cone without an axis', { ...lamp, aperture: 20, cutoff: 5, axis: [0, 0, 0] }, 'point'],
-    ['a cone about the shortest axis', { ...lamp, aperture: 20, axis: [0, 5e-324, 0] }, 'spot'],
-  ])('with %s is %s', (_, values, kind) => {
-    expect(kindOf(light(values))).toBe(kind);
-  });
+it.each<[string, Partial<LightValues>, string]>([
+  ['w = 0 with a cone', { aperture: 20, cutoff: 5 }, 'directional'],
+  ['a cone of no width', { ...lamp, aperture: 0 }, 'spot'],
+  ['a decay', { ...lamp, cutoff: 1e-6 }, 'spot'],
+  ['a decay too slight to be one', { ...lamp, cutoff: 9.99e-7 }, 'point'],
+  ['an axis alone', { ...lamp, axis: [1, 2, 3] }, 'point'],
+  ['a cone without an axis', { ...lamp, aperture: 20, cutoff: 5, axis: [0, 0, 0] }, 'point'],
+  ['a cone about the shortest axis', { ...lamp, aperture: 20, axis: [0, 5e-324, 0] }, 'spot'],
+])('the kind of a light with %s is %s', (_, values, kind) => {
+  expect(kindOf(light(values))).toBe(kind);
 });
 
 /** The names of the bits in a mask, sorted, and `power n` for an integer power. */

@@ -171,32 +171,30 @@ describe('a pack that is used again', () => {
   });
 });
 
-describe('a selection of lights', () => {
-  const lights = [
-    {},
-    lamp,
-    spot,
-    { ...spot, cutoff: 3 },
-    { ...lamp, diffuse: [1, 2, 3] as const },
-  ].map((one) => light(one));
+const lights = [
+  {},
+  lamp,
+  spot,
+  { ...spot, cutoff: 3 },
+  { ...lamp, diffuse: [1, 2, 3] as const },
+].map((one) => light(one));
 
-  it('is the same as packing these lights alone, except for ambient light, which is summed over all', () => {
-    const packed = pack(lights);
-    const order = [0, 1, 4, 2, 3]; // sorted by kind
-    fc.assert(
-      fc.property(fc.uint8Array({ minLength: 5, maxLength: 5, max: 1 }), (mask) => {
-        const into = emptyPack();
-        selectLights(packed, mask, into);
-        const chosen = order.filter((_, i) => mask[i] === 1).map((i) => lights[i]!);
-        const alone = read(pack(chosen));
-        expect(read(into)).toStrictEqual({ ...alone, ambient: read(packed).ambient });
-        expect(into.sent).toBe(chosen.length);
-        expect([...into.features.subarray(0, into.sent)]).toStrictEqual(
-          [...packed.features.subarray(0, 5)].filter((_, i) => mask[i] === 1),
-        );
-      }),
-    );
-  });
+it('a selection of lights is packed as these lights alone, but with the ambient light of all', () => {
+  const packed = pack(lights);
+  const order = [0, 1, 4, 2, 3]; // sorted by kind
+  fc.assert(
+    fc.property(fc.uint8Array({ minLength: 5, maxLength: 5, max: 1 }), (mask) => {
+      const into = emptyPack();
+      selectLights(packed, mask, into);
+      const chosen = order.filter((_, i) => mask[i] === 1).map((i) => lights[i]!);
+      const alone = read(pack(chosen));
+      expect(read(into)).toStrictEqual({ ...alone, ambient: read(packed).ambient });
+      expect(into.sent).toBe(chosen.length);
+      expect([...into.features.subarray(0, into.sent)]).toStrictEqual(
+        [...packed.features.subarray(0, 5)].filter((_, i) => mask[i] === 1),
+      );
+    }),
+  );
 });
 
 // Packing applies them once, in float64: they are the same everywhere.
@@ -291,102 +289,98 @@ const spaceOf = (
 
 const anySpace = fc.tuple(rotation, place, place, fc.boolean()).map((parts) => spaceOf(...parts));
 
-describe('packed lights of any values', () => {
-  it('are finite, with unit directions and no negative colours, and count and contain active lights only', () => {
-    fc.assert(
-      fc.property(fc.array(anyLight, { maxLength: 10 }), anySpace, (lights, space) => {
-        const packed = pack(lights, space);
-        const { data, rows } = packed;
-        expect(data.subarray(0, rows * 4).findIndex((x) => !Number.isFinite(x))).toBe(-1);
-        const { directional, point, spot, ambient, counts } = read(packed);
-        for (const light of directional) {
-          expect(Math.hypot(...light['direction']!.xyz)).toBeCloseTo(1, 6);
-        }
-        for (const light of spot) {
-          expect(Math.hypot(...light['axis']!.xyz)).toBeCloseTo(1, 6);
-        }
-        const colors = [...directional, ...point, ...spot].flatMap((light) => [
-          light['diffuse']!.xyz,
-          light['specular']!.xyz,
-        ]);
-        expect([ambient, ...colors].flat().every((x) => x >= 0)).toBe(true);
-        const active = lights.filter((light) => light.active);
-        expect(packed.active).toBe(active.length);
-        expect(packed.sent).toBe(counts[0] + counts[1] + counts[2]);
-        for (const [k, kind] of KINDS.entries()) {
-          expect(counts[k]).toBeLessThanOrEqual(
-            active.filter((light) => kindOf(light) === kind).length,
-          );
-        }
-        const alone = pack(active, space);
-        expect(data.subarray(0, rows * 4)).toStrictEqual(alone.data.subarray(0, alone.rows * 4));
-      }),
-      { numRuns: 700 },
-    );
-  });
+it('packed lights are finite and active only, with unit directions and no negative colours', () => {
+  fc.assert(
+    fc.property(fc.array(anyLight, { maxLength: 10 }), anySpace, (lights, space) => {
+      const packed = pack(lights, space);
+      const { data, rows } = packed;
+      expect(data.subarray(0, rows * 4).findIndex((x) => !Number.isFinite(x))).toBe(-1);
+      const { directional, point, spot, ambient, counts } = read(packed);
+      for (const light of directional) {
+        expect(Math.hypot(...light['direction']!.xyz)).toBeCloseTo(1, 6);
+      }
+      for (const light of spot) {
+        expect(Math.hypot(...light['axis']!.xyz)).toBeCloseTo(1, 6);
+      }
+      const colors = [...directional, ...point, ...spot].flatMap((light) => [
+        light['diffuse']!.xyz,
+        light['specular']!.xyz,
+      ]);
+      expect([ambient, ...colors].flat().every((x) => x >= 0)).toBe(true);
+      const active = lights.filter((light) => light.active);
+      expect(packed.active).toBe(active.length);
+      expect(packed.sent).toBe(counts[0] + counts[1] + counts[2]);
+      for (const [k, kind] of KINDS.entries()) {
+        expect(counts[k]).toBeLessThanOrEqual(
+          active.filter((light) => kindOf(light) === kind).length,
+        );
+      }
+      const alone = pack(active, space);
+      expect(data.subarray(0, rows * 4)).toStrictEqual(alone.data.subarray(0, alone.rows * 4));
+    }),
+    { numRuns: 700 },
+  );
 });
 
-describe('packed lights read as the loop reads them', () => {
-  const surface = {
-    ka: [200, 150, 100],
-    kd: [255, 200, 50],
-    ks: [128, 255, 60],
-    shininess: 8,
-  } as const;
+const surface = {
+  ka: [200, 150, 100],
+  kd: [255, 200, 50],
+  ks: [128, 255, 60],
+  shininess: 8,
+} as const;
 
-  it("give the reference's sum, in every space, in linear light too", () => {
-    const scene = fc.tuple(
-      ...[fc.array(plainLight, { minLength: 1, maxLength: 6 }), rotation, plainVector, plainVector],
-      ...[plainVector, plainVector, fc.boolean(), fc.boolean()],
-    );
-    fc.assert(
-      fc.property(scene, ([all, axes, origin, eye, p, normal, far, linear]) => {
-        const offset: Vec3 = far ? [2 ** 30, -(2 ** 31), 2 ** 30] : [0, 0, 0];
-        const moved = (v: Vec3): Vec3 => [v[0] + offset[0], v[1] + offset[1], v[2] + offset[2]];
-        const scene = all.map((light) => {
-          const { position, space } = light;
-          if (position[3] === 0 || space === 'camera') return light;
-          return {
-            ...light,
-            position: [...moved([position[0], position[1], position[2]]), 1] as const,
-          };
-        });
-        const [right, up, back] = axes;
-        const camera = { right, up, back };
-        const want = shade({ p: moved(p), normal, eye: moved(eye) }, surface, scene, {
-          camera,
-          linear,
-        });
-        // Rows are rounded to float32: a fragment within that of a cone's edge may fall on either
-        // side.
-        fc.pre(
-          want.shares.every((share, i) => {
-            const { aperture } = scene[i]!;
-            if (share === null || aperture === 180) return true;
-            return (
-              Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) >
-              1e-4
-            );
-          }),
-        );
-        fc.pre(want.shares.every((share) => share === null || share.d > 0.1));
-        const { ambient, diffuse, specular } = loop(
-          read(pack(scene, spaceOf(axes, moved(origin), moved(eye), linear))),
-          subtract(p, origin),
-          normalize(normal),
-          subtract(eye, origin),
-          surface.shininess,
-        );
-        const { ka, kd, ks } = coefficientsOf(surface, linear);
-        for (const i of [0, 1, 2] as const) {
-          const sum = linear ? srgbDecode(want.sum[i]) : want.sum[i];
-          const got = ka[i] * ambient[i] + kd[i] * diffuse[i] + ks[i] * specular[i];
-          expect(Math.abs(got - sum)).toBeLessThan(1e-4);
-        }
-      }),
-      { numRuns: 300 },
-    );
-  });
+it("packed lights give the reference's sum, in every space, in linear light too", () => {
+  const scene = fc.tuple(
+    ...[fc.array(plainLight, { minLength: 1, maxLength: 6 }), rotation, plainVector, plainVector],
+    ...[plainVector, plainVector, fc.boolean(), fc.boolean()],
+  );
+  fc.assert(
+    fc.property(scene, ([all, axes, origin, eye, p, normal, far, linear]) => {
+      const offset: Vec3 = far ? [2 ** 30, -(2 ** 31), 2 ** 30] : [0, 0, 0];
+      const moved = (v: Vec3): Vec3 => [v[0] + offset[0], v[1] + offset[1], v[2] + offset[2]];
+      const scene = all.map((light) => {
+        const { position, space } = light;
+        if (position[3] === 0 || space === 'camera') return light;
+        return {
+          ...light,
+          position: [...moved([position[0], position[1], position[2]]), 1] as const,
+        };
+      });
+      const [right, up, back] = axes;
+      const camera = { right, up, back };
+      const want = shade({ p: moved(p), normal, eye: moved(eye) }, surface, scene, {
+        camera,
+        linear,
+      });
+      // Rows are rounded to float32: a fragment within that of a cone's edge may fall on either
+      // side.
+      fc.pre(
+        want.shares.every((share, i) => {
+          const { aperture } = scene[i]!;
+          if (share === null || aperture === 180) return true;
+          return (
+            Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) >
+            1e-4
+          );
+        }),
+      );
+      fc.pre(want.shares.every((share) => share === null || share.d > 0.1));
+      const { ambient, diffuse, specular } = loop(
+        read(pack(scene, spaceOf(axes, moved(origin), moved(eye), linear))),
+        subtract(p, origin),
+        normalize(normal),
+        subtract(eye, origin),
+        surface.shininess,
+      );
+      const { ka, kd, ks } = coefficientsOf(surface, linear);
+      for (const i of [0, 1, 2] as const) {
+        const sum = linear ? srgbDecode(want.sum[i]) : want.sum[i];
+        const got = ka[i] * ambient[i] + kd[i] * diffuse[i] + ks[i] * specular[i];
+        expect(Math.abs(got - sum)).toBeLessThan(1e-4);
+      }
+    }),
+    { numRuns: 300 },
+  );
 });
 
 describe("the cone's limit", () => {
