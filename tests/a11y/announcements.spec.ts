@@ -2,9 +2,9 @@
 // motion has ended; unit/elements/announcements.test.ts has keys, the wheel and scripts.
 
 import type { Locator } from '@playwright/test';
-import { expect, test } from '../support/test.js';
+import { type ViewerLocator, expect, test } from '../support/test.js';
 import { opened } from '../extras/panel/panel-rows.js';
-import { assign, drag, type PhongViewer } from '../element/support/viewer.js';
+import { assign, drag } from '../element/support/viewer.js';
 
 const scene = (attributes = ''): string =>
   `<phong-viewer alt="A box" geometry="box" theta="30" phi="70" radius="4" ${attributes}>
@@ -14,14 +14,14 @@ const scene = (attributes = ''): string =>
 /** Longer than the pause before an announcement. */
 const A_WHILE = 1500;
 
-const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
+const region = (viewer: ViewerLocator): Locator => viewer.locator('.reader > [aria-live]');
 
 test('a drag is announced politely, with the resulting camera; auto-rotate is not', async ({
   page,
   mount,
 }) => {
   const viewer = await mount(scene('auto-rotate="20"'));
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     const end = element.stats.frames + 5;
     while (element.stats.frames < end) {
       await new Promise(requestAnimationFrame);

@@ -3,8 +3,8 @@
 
 import { axeOn } from '../support/axe.js';
 import type { Locator } from '@playwright/test';
-import { expect, test } from '../support/test.js';
-import { assign, nextFrame, type PhongViewer, pointerAway } from '../element/support/viewer.js';
+import { type ViewerLocator, expect, test } from '../support/test.js';
+import { assign, nextFrame, pointerAway } from '../element/support/viewer.js';
 
 const scene = (attributes = 'probe'): string =>
   `<main><phong-viewer alt="A sphere" geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>
@@ -12,9 +12,10 @@ const scene = (attributes = 'probe'): string =>
     <phong-light name="lamp" position="0.9 0.5 0.6 1" diffuse="#d98c46"></phong-light>
   </phong-viewer></main>`;
 
-const region = (viewer: Locator): Locator => viewer.locator('.probe [aria-live]');
-const box = (viewer: Locator): Locator => viewer.getByRole('group', { name: 'Probe' });
-const cursor = (viewer: Locator): Locator => viewer.getByRole('application', { name: 'Probe' });
+const region = (viewer: ViewerLocator): Locator => viewer.locator('.probe [aria-live]');
+const box = (viewer: ViewerLocator): Locator => viewer.getByRole('group', { name: 'Probe' });
+const cursor = (viewer: ViewerLocator): Locator =>
+  viewer.getByRole('application', { name: 'Probe' });
 
 test('the cross-hair has a name, a role and described keys, and its values are announced', async ({
   page,
@@ -52,9 +53,7 @@ test('announcements are at least a second apart, and the last one is of the last
     await page.keyboard.press('ArrowUp');
     await page.waitForTimeout(120);
   }
-  const point = await viewer.evaluate(
-    async (element: PhongViewer) => (await element.shadeAt(300, 188))!.p,
-  );
+  const point = await viewer.evaluate(async (element) => (await element.shadeAt(300, 188))!.p);
   const last = `Point ${point.map((x) => String(Number(x.toPrecision(3))).replace('-', '−')).join(' ')}.`;
   await expect(region(viewer)).toContainText(last);
   const gaps = await times.evaluate((all) => all.slice(1).map((time, i) => time - all[i]!));
@@ -153,7 +152,7 @@ test.describe('in forced colours', () => {
   test('the swatch keeps the colour of the point', async ({ mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(box(viewer)).toBeVisible();
-    const [shown, color] = await viewer.evaluate(async (element: PhongViewer) => {
+    const [shown, color] = await viewer.evaluate(async (element) => {
       const swatch = element.shadowRoot!.querySelector('[part=probe] .swatch')!;
       return [
         getComputedStyle(swatch).backgroundColor,

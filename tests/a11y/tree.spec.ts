@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
-import { assign, type PhongViewer } from '../element/support/viewer.js';
+import { assign } from '../element/support/viewer.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
 
 const sun = '<phong-light name="sun" position="1 2 3 0"></phong-light>';
@@ -59,7 +59,7 @@ test('a viewer is an application with its keys, and its description follows scri
   expect(name).toBe('A box');
   const keys = 'ArrowLeft ArrowRight ArrowUp ArrowDown Plus - PageUp PageDown Home';
   expect(properties).toMatchObject({ focusable: true, keyshortcuts: keys });
-  await element.evaluate((target: PhongViewer) => {
+  await element.evaluate((target) => {
     target.theta = -90.4;
     Object.assign(target.lights[0]!, { name: 'moon', active: false });
     target.lights[1]!.remove();
@@ -67,7 +67,7 @@ test('a viewer is an application with its keys, and its description follows scri
   await expect
     .poll(() => description(page))
     .toMatch(/ Camera: azimuth −90°, .*, distance 4.06. Lights: moon \(off\), light 2 \(off\)\.$/);
-  await element.evaluate((target: PhongViewer) => {
+  await element.evaluate((target) => {
     for (let i = 0; i < 40; i++) {
       target.append(document.createElement('phong-light'));
     }
@@ -75,7 +75,7 @@ test('a viewer is an application with its keys, and its description follows scri
   await expect
     .poll(() => description(page), 'eight of many')
     .toMatch(/Lights: moon .*light 8, \.{4}$/);
-  await element.evaluate((target: PhongViewer) => target.replaceChildren());
+  await element.evaluate((target) => target.replaceChildren());
   await expect.poll(() => description(page)).toMatch(/distance 4.06\.$/);
   expect(await accessibleNodes(page)).toHaveLength(1);
 });

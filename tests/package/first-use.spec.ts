@@ -1,18 +1,17 @@
 // Is each lazy chunk fetched with its first use and not before? For the standalone file and the ES
 // modules.
 
-import type { Locator, Page } from '@playwright/test';
-import type { PhongViewer } from '../../src/viewer/index.js';
-import { allReady, expect, test } from '../support/test.js';
+import type { Page } from '@playwright/test';
+import { type ViewerLocator, allReady, expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support/viewer.js';
 import { chunkName, Requests, usages } from './requests.js';
 
-type Act = (viewer: Locator, page: Page) => Promise<unknown>;
+type Act = (viewer: ViewerLocator, page: Page) => Promise<unknown>;
 
 const set =
   (values: Readonly<Record<string, string | number | boolean>>): Act =>
   (viewer) =>
-    viewer.evaluate(async (element: PhongViewer, given) => {
+    viewer.evaluate(async (element, given) => {
       Object.assign(element, given);
       await element.ready;
     }, values);
@@ -20,7 +19,7 @@ const set =
 const explain =
   (x: number, y: number): Act =>
   (viewer) =>
-    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at)) === null, [
+    viewer.evaluate(async (element, at) => (await element.shadeAt(...at)) === null, [
       x,
       y,
     ] as const);
@@ -28,7 +27,7 @@ const explain =
 const draw =
   (frames: number): Act =>
   (viewer) =>
-    viewer.evaluate(async (element: PhongViewer, count) => {
+    viewer.evaluate(async (element, count) => {
       for (let frame = 0; frame < count; frame++) {
         element.requestRender();
         await element.ready;
@@ -36,12 +35,9 @@ const draw =
     }, frames);
 
 const readOnce: Act = (viewer) =>
-  viewer.evaluate(
-    (element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length,
-  );
+  viewer.evaluate((element) => [element.toHTML(), element.camera, element.stats].length);
 
-const capture: Act = (viewer) =>
-  viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
+const capture: Act = (viewer) => viewer.evaluate(async (element) => (await element.toBlob()).size);
 
 const drag: Act = async (_, page) => {
   await page.mouse.move(75, 50);

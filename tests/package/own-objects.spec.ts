@@ -3,7 +3,6 @@
 // give a clear error.
 
 import type * as Three from 'three';
-import type { PhongViewer } from '../../src/viewer/index.js';
 import { allReady, expect, pixels, same, test } from '../support/test.js';
 
 const box = '<phong-viewer geometry="box" radius="4"></phong-viewer>';
@@ -33,7 +32,7 @@ test('objects of another three.js with a ShaderMaterial are drawn, coloured inst
   expect(await viewer.evaluate(() => '__THREE__' in window), 'the viewer registers none').toBe(
     false,
   );
-  await viewer.evaluate(async (element: PhongViewer, address) => {
+  await viewer.evaluate(async (element, address) => {
     const { BufferAttribute, InstancedMesh, Matrix4, Mesh, PlaneGeometry, ShaderMaterial } =
       (await import(address)) as typeof Three;
     const plain = new ShaderMaterial({
@@ -75,7 +74,7 @@ test('an object with a material of three.js gives an error that names the cure',
   );
   const viewer = await mount(box);
   const before = await pixels(viewer);
-  await viewer.evaluate(async (element: PhongViewer, address) => {
+  await viewer.evaluate(async (element, address) => {
     const { Mesh, MeshBasicMaterial, PlaneGeometry } = (await import(address)) as typeof Three;
     const own = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
     element.scene.add(own);
@@ -91,8 +90,6 @@ test('an object with a material of three.js gives an error that names the cure',
 
 test("the scene's own functions are three's, in the standalone file too", async ({ mount }) => {
   const viewer = await mount(box);
-  const written = await viewer.evaluate((element: PhongViewer) =>
-    JSON.stringify(element.scene.toJSON().object),
-  );
+  const written = await viewer.evaluate((element) => JSON.stringify(element.scene.toJSON().object));
   expect(JSON.parse(written)).toMatchObject({ type: 'Scene', children: [{ type: 'Mesh' }] });
 });

@@ -2,7 +2,6 @@
 // Measured in the browser's own processes.
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import type { PhongViewer } from '../element/support/viewer.js';
 import { Gltf } from '../bench/glb.mjs';
 import { pngOf } from '../fuzz/glb.js';
 import { GROWTH_LIMIT_MB, load, MemoryWatch } from '../fuzz/model-run.js';
@@ -101,7 +100,7 @@ for (const [what, { make, ends = 'load', isZipped = false, says }] of Object.ent
     memory.start();
     expect(await load(viewer, `${address}?file`)).toBe(ends);
     await viewer.evaluate(
-      async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size,
+      async (element) => (await element.toBlob({ width: 30, height: 20 })).size,
     );
     const growth = memory.stop();
     console.log(`${what}: ${file.length} bytes, ${growth.toFixed()} MB`);
@@ -124,7 +123,7 @@ test('@release ninety meshes of one model take the memory of one', async ({
   const memory = await MemoryWatch.of(browser);
   const address = site.file(model);
   memory.start();
-  const shown = await viewer.evaluate(async (element: PhongViewer, src) => {
+  const shown = await viewer.evaluate(async (element, src) => {
     for (let i = 0; i < 90; i++) {
       element.append(Object.assign(document.createElement('phong-mesh'), { src }));
     }
@@ -145,7 +144,7 @@ test('@release eight captures at once take the float buffers of one', async ({
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const memory = await MemoryWatch.of(browser);
   memory.start();
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     const options = { width: 1000, height: 700, samples: 2 };
     await Promise.all(Array.from({ length: 8 }, () => element.toBlob(options)));
   });

@@ -14,6 +14,7 @@ import {
   type TestType,
 } from '@playwright/test';
 import { ConsoleGuard } from './console-guard.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import type { ViewerLike } from './picture.js';
 import { SharedPage } from './shared-page.js';
 import { startSite, testMounts, type PageOptions, type Site } from './site.js';
@@ -35,8 +36,18 @@ interface MountOptions extends PageOptions {
   readonly waitForReady?: boolean;
 }
 
+/** What a viewer's locator evaluates gets the viewer. */
+interface OnViewer {
+  evaluate<R>(work: (viewer: PhongViewer) => R | Promise<R>): Promise<R>;
+  evaluate<R, A>(
+    work: (viewer: PhongViewer, argument: A) => R | Promise<R>,
+    argument: A,
+  ): Promise<R>;
+}
+export type ViewerLocator = OnViewer & Locator;
+
 /** Loads a page with this markup and the standalone build; gives the first viewer. */
-export type Mount = (markup: string, options?: MountOptions) => Promise<Locator>;
+export type Mount = (markup: string, options?: MountOptions) => Promise<ViewerLocator>;
 
 interface Fixtures {
   readonly consoleGuard: ConsoleGuard;
@@ -136,7 +147,7 @@ async function mount(
   site: Site,
   markup: string,
   options: MountOptions,
-): Promise<Locator> {
+): Promise<ViewerLocator> {
   const { width = 600, height = 400, css = '', head = '' } = options;
   const { deviceScaleFactor = 1, waitForReady = true } = options;
   const address = site.page(markup, {

@@ -7,7 +7,7 @@ import type { LightValues } from '../../src/phong/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
-import { assign, type PhongViewer, settled, statsOf, htmlOf } from '../element/support/viewer.js';
+import { assign, settled, statsOf, htmlOf } from '../element/support/viewer.js';
 import { innerPixels } from './against-reference.js';
 import { lightWith } from '../stress/case.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
@@ -180,7 +180,7 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
   await expectExact();
   await assign(viewer, { theta: 75, phi: 25 });
   await expectLike('with the camera turned');
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     for (const light of element.lights.slice(0, 200)) {
       const [x, y, z, w] = light.position;
       light.position = [-z, y, x, w];
@@ -188,7 +188,7 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
   });
   await expectLike('after lights have moved');
   expect(await usesGrid(page)).toBe(true);
-  await viewer.evaluate((element: PhongViewer) =>
+  await viewer.evaluate((element) =>
     element.lights.forEach((light, i) => (light.active = i % 3 > 0)),
   );
   await drawUntilSpecialised(page);

@@ -1,7 +1,6 @@
 // Nothing in view is cut away by the near plane, and the largest shapes are drawn from close by:
 // pictures against a float64 ray caster.
 import { basisOf } from '../../src/phong/camera/orbit.js';
-import type { PhongViewer } from '../../src/viewer/index.js';
 import { createGeometry } from '../../src/phong/model/shapes/shapes.js';
 import { Tracer } from '../../src/extras/still/tracer.js';
 import { firstOf, fullOr, SEED } from '../support/repeats.js';
@@ -43,7 +42,7 @@ test('a picture in tiles, a linked viewer and shadeAt see the same floor as the 
   const { data } = await pixels(viewer, { width: 9000, height: 4 });
   const alphas = data.slice(4 * 3 * 9000).filter((_, i) => i % 4 === 3);
   expect(alphas.includes(0)).toBe(false);
-  const depth = await viewer.evaluate(async (element: PhongViewer, { width, height }) => {
+  const depth = await viewer.evaluate(async (element, { width, height }) => {
     const { eye } = element.camera;
     const shaded = await element.shadeAt(width / 2, height - 0.5);
     return shaded === null ? null : Math.hypot(...shaded.p.map((x, i) => x - eye[i]!));
@@ -63,7 +62,7 @@ test('nothing of the page shows through the teapot, from all sides', async ({ mo
   const { width, height } = TEAPOT;
   // The default view, into the spout, and from below.
   for (const view of [{}, { theta: 90, phi: 50 }, { theta: 100, phi: 140 }]) {
-    const { theta, phi, eye, fov } = await viewer.evaluate((element: PhongViewer, angles) => {
+    const { theta, phi, eye, fov } = await viewer.evaluate((element, angles) => {
       Object.assign(element, angles);
       const { theta, phi, eye } = element.camera;
       return { theta, phi, eye, fov: element.fov };

@@ -4,7 +4,6 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { README_PICTURE, README_PICTURE_SCALE, readmeSnippet } from '../../.ci/readme-picture.mjs';
-import type { PhongViewer } from '../../src/viewer/index.js';
 import { decodeInPage, decodePng } from '../support/picture.js';
 import { compare, expect, test, type Picture } from '../support/test.js';
 
@@ -60,9 +59,7 @@ test.describe('at the scale of the picture', () => {
       height: Number(size?.[2]),
     });
     await viewer.getByText('add light').waitFor();
-    await expect
-      .poll(() => viewer.evaluate((element: PhongViewer) => element.stats.samples))
-      .toBe(16);
+    await expect.poll(() => viewer.evaluate((element) => element.stats.samples)).toBe(16);
     const drawn = decodePng(await viewer.screenshot());
     const stored = await decodeInPage(page, readFileSync(file));
     const { width } = stored;

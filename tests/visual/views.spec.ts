@@ -1,13 +1,12 @@
 // Do views show the quantities of the equation? Compared with float64 pixel by pixel, in 8-bit
 // codes.
 
-import type { Locator } from '@playwright/test';
 import { srgbEncode } from '../../src/phong/math/color.js';
 import { map, type Vec3 } from '../../src/phong/math/vector.js';
 import { VIEWS, type View } from '../../src/phong/material/views.js';
 import { type LightShare, shade } from '../../src/phong/reference/index.js';
-import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
-import { expect, pixels, same, test } from '../support/test.js';
+import { assign, settled } from '../element/support/viewer.js';
+import { type ViewerLocator, expect, pixels, same, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';
 import { firstOf, fullOr, repeats, SEED } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
@@ -22,7 +21,7 @@ const TERMS: readonly View[] = ['ambient', 'diffuse', 'specular'];
 
 /** A view of a scene, against float64. `only`: the index of the light it is limited to. */
 async function errorsOf(
-  viewer: Locator,
+  viewer: ViewerLocator,
   scene: DeclaredScene,
   view: View,
   only: number | null,
@@ -84,9 +83,9 @@ interface Sample {
   readonly explained: Explained & { readonly triangle: number };
 }
 
-async function samplesOf(viewer: Locator, every: number): Promise<Sample[]> {
+async function samplesOf(viewer: ViewerLocator, every: number): Promise<Sample[]> {
   return viewer.evaluate(
-    async (element: PhongViewer, { width, height, every: step }) => {
+    async (element, { width, height, every: step }) => {
       const found: Sample[] = [];
       for (let y = 2; y < height - 2; y += step) {
         for (let x = 2; x < width - 2; x += step) {
@@ -173,7 +172,7 @@ test('shadeAt explains the shaded picture in every view', async ({ mount }) => {
     SIZE,
   );
   const explain = () =>
-    viewer.evaluate(async (element: PhongViewer) =>
+    viewer.evaluate(async (element) =>
       JSON.stringify(
         { ...(await element.shadeAt(60, 40)), mesh: '', object: '' },
         (key, value: unknown) => (key === 'light' ? '' : value),
@@ -196,7 +195,7 @@ test('with a single light the shaded picture is that of the scene without the ot
   await assign(viewer, { viewLight: 'lamp' });
   const alone = await pixels(viewer, SIZE);
   await assign(viewer, { viewLight: null });
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     for (const light of element.lights) {
       if (light.name !== 'lamp') {
         light.remove();

@@ -1,9 +1,9 @@
 // Does toHTML write the current scene, so that its markup gives the same picture and the same
 // markup again? unit/elements/to-html.test.ts has what takes no picture.
 
-import type { Locator, Page } from '@playwright/test';
-import { expect, pixels, same, test } from '../../support/test.js';
-import { drag, htmlOf, nextFrame, type PhongViewer, shownBy } from '../support/viewer.js';
+import type { Page } from '@playwright/test';
+import { type ViewerLocator, expect, pixels, same, test } from '../../support/test.js';
+import { drag, htmlOf, nextFrame, shownBy } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
 
@@ -14,7 +14,7 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
     <phong-light position="0 3 3" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
     <phong-light active="false" diffuse="#f00"></phong-light></phong-viewer>`;
 
-async function roundTrip(page: Page, viewer: Locator): Promise<void> {
+async function roundTrip(page: Page, viewer: ViewerLocator): Promise<void> {
   const before = await pixels(viewer, size);
   const text = await htmlOf(viewer);
   same(await shownBy(page, text, size), before);
@@ -59,7 +59,7 @@ test('what the user moved is where toHTML says, to the last bit', async ({ page,
   for (const move of moves) {
     await move();
     await nextFrame(page); // events that wait for one
-    const { written, camera } = await viewer.evaluate((element: PhongViewer) => {
+    const { written, camera } = await viewer.evaluate((element) => {
       const parsed = new DOMParser().parseFromString(element.toHTML(), 'text/html');
       const text = (name: string) => parsed.body.firstElementChild!.getAttribute(name)!;
       return {

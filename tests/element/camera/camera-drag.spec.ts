@@ -3,7 +3,7 @@
 // angle.
 
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { assign, cameraOf, drag, Fingers, type PhongViewer } from '../support/viewer.js';
+import { assign, cameraOf, drag, Fingers } from '../support/viewer.js';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
 
@@ -14,7 +14,7 @@ test('a drag shows the picture of new angles, and leaves declared ones and marku
   const viewer = await mount(box);
   await drag(page, [300, 200], [60, 40]);
   const dragged = await pixels(viewer);
-  const declared = await viewer.evaluate((element: PhongViewer) => [
+  const declared = await viewer.evaluate((element) => [
     element.theta,
     element.phi,
     element.radius,

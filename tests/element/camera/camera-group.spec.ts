@@ -75,7 +75,7 @@ test('drag, wheel, keys and properties move all viewers, with one event and fram
     await record(first, 'camera-change'),
     await record(second, 'camera-change'),
   ] as const;
-  const drawn = (): Promise<number> => first.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const drawn = (): Promise<number> => first.evaluate(({ stats }) => stats.frames);
   const deeds: readonly (readonly [source: string, deed: () => Promise<unknown>])[] = [
     ['pointer', () => drag(page, [450, 100], [33, 17], { steps: 1 })],
     ['wheel', () => page.mouse.wheel(0, 70)],
@@ -129,7 +129,7 @@ test('auto fits the largest scene of the group, also when members come, go and c
   expect(back.radius).toBeCloseTo(narrow, 6);
   expect(back.theta).not.toBe(30);
   // Empty scenes do not count.
-  await small.evaluate((element: PhongViewer) => element.resetCamera());
+  await small.evaluate((element) => element.resetCamera());
   await page.evaluate(() => {
     const empty = document.createElement('phong-viewer');
     document.body.append(Object.assign(empty, { cameraGroup: 'a', alt: 'Nothing' }));

@@ -86,7 +86,7 @@ test('`camera` is a frozen snapshot that follows properties at once, with θ in 
   mount,
 }) => {
   const viewer = await mount(near);
-  const [frozen, first, moved, last] = await viewer.evaluate((element: PhongViewer) => {
+  const [frozen, first, moved, last] = await viewer.evaluate((element) => {
     const { camera } = element;
     const parts = [camera, camera.eye, camera.target, camera.up];
     Object.assign(element, { theta: 180, phi: 90, radius: 7, target: [1, 0, 0] });
@@ -117,7 +117,7 @@ test('Home and resetCamera return to the last declared camera, not to the first'
   const declared = await cameraOf(viewer);
   for (const reset of [
     () => page.keyboard.press('Home'),
-    () => viewer.evaluate((element: PhongViewer) => element.resetCamera()),
+    () => viewer.evaluate((element) => element.resetCamera()),
   ]) {
     await drag(page, [300, 200], [60, 40]);
     await page.keyboard.press('PageUp');

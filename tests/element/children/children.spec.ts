@@ -61,7 +61,7 @@ test('children belong to the nearest viewer at any depth, except in slots', asyn
 
 test('children come and go while the viewer is outside the document', async ({ mount, page }) => {
   const viewer = await mount(scene(red, green, box), size);
-  const counts = await viewer.evaluate(async (element: PhongViewer) => {
+  const counts = await viewer.evaluate(async (element) => {
     const count = () => [
       element.lights.length,
       element.meshes.length,
@@ -207,7 +207,7 @@ test('moveBefore of wrapper or viewer keeps models, camera and panel; the order 
   await assign(viewer, { theta: 77 });
   const requests = requestsOf(page);
   const events = await record(viewer, 'load', 'error', 'camera-change');
-  const kept = await viewer.evaluate(async (element: PhongViewer) => {
+  const kept = await viewer.evaluate(async (element) => {
     const state = (): unknown[] => [
       ...element.scene.children.map(({ uuid }) => uuid),
       element.shadowRoot?.querySelector('[part=panel]')?.firstElementChild,
@@ -230,7 +230,7 @@ test('many lights connected one per microtask make one frame and one search, in 
   mount,
 }) => {
   const viewer = await mount(open + '</phong-viewer>', size);
-  const facts = await viewer.evaluate(async (element: PhongViewer) => {
+  const facts = await viewer.evaluate(async (element) => {
     const { frames } = element.stats;
     let searches = 0;
     document.createTreeWalker = (...given) => {
@@ -268,9 +268,10 @@ test('the head-light shines only without any phong-light, and is not in lights o
     scene('<phong-light space="camera" position="0 0 1 0"></phong-light>'),
   );
   same(await pixels(viewer), wanted);
-  expect(
-    await viewer.evaluate((element: PhongViewer) => [element.lights.length, element.toHTML()]),
-  ).toEqual([0, expect.not.stringContaining('phong-light')]);
+  expect(await viewer.evaluate((element) => [element.lights.length, element.toHTML()])).toEqual([
+    0,
+    expect.not.stringContaining('phong-light'),
+  ]);
   await viewer.evaluate((element, html) => (element.innerHTML = html), red);
   same(await pixels(viewer), await shown(page, scene(red)));
   await viewer.evaluate((element) => element.replaceChildren());
@@ -304,15 +305,15 @@ test('of meshes at one place the last one in document order is visible, with any
   const wanted = { red: await shown(page, lit(red)), green: await shown(page, lit(green)) };
   expect(compare(wanted.red, wanted.green).max).toBeGreaterThan(20);
   same(await pixels(viewer), wanted.green);
-  await viewer.evaluate((element: PhongViewer) => element.append(element.meshes[0]!));
+  await viewer.evaluate((element) => element.append(element.meshes[0]!));
   same(await pixels(viewer), wanted.red);
   await viewer.evaluate((element, html) => element.insertAdjacentHTML('afterbegin', html), blue);
   same(await pixels(viewer), wanted.red);
-  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = 'gouraud'));
-  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = null));
+  await viewer.evaluate((element) => (element.meshes[1]!.shading = 'gouraud'));
+  await viewer.evaluate((element) => (element.meshes[1]!.shading = null));
   await drawUntilSpecialised(page);
   expectAlike(await pixels(viewer), wanted.red, 'by programs of their own');
-  await viewer.evaluate((element: PhongViewer) => (element.meshes[0]!.kd = [40, 40, 180]));
+  await viewer.evaluate((element) => (element.meshes[0]!.kd = [40, 40, 180]));
   expectAlike(await pixels(viewer), wanted.red, 'one of them changed');
 });
 

@@ -13,7 +13,7 @@ export async function loadAgain(mount: Mount, times: number): Promise<void> {
   let first: unknown;
   for (let time = 0; time < times; time++) {
     const viewer = await mount(markup, { width: 80, height: 60 });
-    const shown = await viewer.evaluate((element: PhongViewer) => {
+    const shown = await viewer.evaluate((element) => {
       const counts: number[] = [];
       element.scene.traverse((object) => {
         const { geometry } = object as unknown as { geometry?: { index: { count: number } } };

@@ -1,16 +1,15 @@
 // Are round shapes as round as the screen shows, by default, in pictures, files and comparisons?
 // Also: a viewer keeps to its limit of triangles. The long form is release/long-forms.spec.ts.
 
-import type { Locator } from '@playwright/test';
-import { expect, pixels, test } from '../../support/test.js';
+import { type ViewerLocator, expect, pixels, test } from '../../support/test.js';
 import { assign, cameraOf, type PhongViewer, record, set, settled } from '../support/viewer.js';
 import { expectSmooth, filmZoom } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
 
 /** Triangles of the first mesh that is drawn. */
-const triangles = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => {
+const triangles = (viewer: ViewerLocator): Promise<number> =>
+  viewer.evaluate((element) => {
     const mesh = element.scene.children[0] as unknown as {
       geometry: { index: { count: number } | null };
     };
@@ -58,7 +57,7 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   const share = (Math.PI / 4) * (sine ** 2 / (1 - sine ** 2) / Math.tan(Math.PI / 8) ** 2);
   expect(Math.abs((await covered(1200)) / share - 1)).toBeLessThan(0.0005);
   expect(Math.abs((await covered(120)) / share - 1)).toBeLessThan(0.004);
-  await viewer.evaluate((element: PhongViewer) => element.requestRender());
+  await viewer.evaluate((element) => element.requestRender());
   await settled(viewer);
   expect(await triangles(viewer)).toBe(sphereOf(64));
 });
@@ -103,10 +102,10 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
     SIZE,
   );
   const shown = (): Promise<string[]> =>
-    viewer.evaluate((element: PhongViewer) => element.scene.children.map(({ name }) => name));
+    viewer.evaluate((element) => element.scene.children.map(({ name }) => name));
   const heard = await record(viewer, 'error');
   // 64 segments have 3,968 triangles, and 13,605 more as a flat copy.
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     element.maxTriangles = 40_000;
     for (const [name, segments] of Object.entries({ a: 64, b: 66, c: 62, d: 12 })) {
       const mesh = document.createElement('phong-mesh');
@@ -130,12 +129,12 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
   await viewer.evaluate(own);
   expect(await heard.take()).toHaveLength(1);
   await assign(viewer, { geometry: null });
-  await viewer.evaluate((element: PhongViewer) => element.meshes[0]!.remove());
+  await viewer.evaluate((element) => element.meshes[0]!.remove());
   await viewer.locator('[part=retry]').dispatchEvent('click');
   await expect(viewer.locator('[part=notice]')).toBeHidden();
   await expect.poll(shown, 'a frame sorts them').toEqual(['b', 'c', 'd']);
   expect(await heard.take()).toEqual([]);
-  const bad = await viewer.evaluate((element: PhongViewer) => {
+  const bad = await viewer.evaluate((element) => {
     try {
       element.maxTriangles = 2.5;
       return 'nothing';
@@ -143,7 +142,7 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
       return (error as Error).name;
     }
   });
-  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual([
+  expect([bad, await viewer.evaluate((element) => element.maxTriangles)]).toEqual([
     'RangeError',
     40_000,
   ]);

@@ -4,14 +4,7 @@
 import { expect, pixels, same, test } from '../../support/test.js';
 import { fullOr } from '../../support/repeats.js';
 import { installFaults, type Opening } from './faults.js';
-import {
-  canvasSize,
-  nextFrame,
-  type PhongViewer,
-  record,
-  settled,
-  statsOf,
-} from '../support/viewer.js';
+import { canvasSize, nextFrame, record, settled, statsOf } from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90 };
 const box =
@@ -40,7 +33,7 @@ for (const count of [1, 2]) {
     expect(await page.evaluate('window.detail.code')).toBe('no-webgl2');
 
     // Changes request no context: a script may make one in each frame. Pictures do.
-    const html = await viewer.evaluate(async (element: PhongViewer) => {
+    const html = await viewer.evaluate(async (element) => {
       element.theta = 77;
       await element.ready;
       const markup = element.toHTML();
@@ -156,7 +149,7 @@ test('toBlob rejects if the context is lost before its event arrives or between 
 }) => {
   const viewer = await mount(box, SIZE);
   for (const width of [50, 5000]) {
-    const outcomes = await viewer.evaluate(async (element: PhongViewer, side) => {
+    const outcomes = await viewer.evaluate(async (element, side) => {
       const picture = (): Promise<unknown> =>
         element.toBlob({ width: side, height: 60 }).then(() => 'a picture', String);
       const wait = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 50));

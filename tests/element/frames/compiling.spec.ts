@@ -1,8 +1,8 @@
 // Does no frame wait for a compiler where another program is needed? The browser's answer whether a
 // program has linked is held back.
 
-import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, test } from '../../support/test.js';
+import type { Page } from '@playwright/test';
+import { type ViewerLocator, compare, expect, pixels, test } from '../../support/test.js';
 import { type PhongViewer, settled, statsOf, assign } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
@@ -40,8 +40,8 @@ const setLinking = (page: Page, linking: boolean): Promise<void> =>
   page.evaluate((on) => void Object.assign(window, { linking: on }), linking);
 
 /** Frames that the viewer draws in six of the page's, and whether it is ready after them. */
-const watch = (viewer: Locator): Promise<{ drawn: number; ready: boolean }> =>
-  viewer.evaluate(async (element: PhongViewer) => {
+const watch = (viewer: ViewerLocator): Promise<{ drawn: number; ready: boolean }> =>
+  viewer.evaluate(async (element) => {
     const before = element.stats.frames;
     let ready = false;
     void element.ready.then(() => (ready = true));
@@ -68,7 +68,7 @@ for (const [change, make] of Object.entries(CHANGES)) {
       size,
     );
     const before = await pixels(viewer);
-    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await viewer.evaluate((element) => element.lights[0]!.remove());
     await settled(viewer);
     const lit = await pixels(viewer);
     expect(compare(before, lit).max).toBeGreaterThan(8);
@@ -80,7 +80,7 @@ for (const [change, make] of Object.entries(CHANGES)) {
     expect(compare(lit, await pixels(viewer)).max).toBeGreaterThan(0);
     await setLinking(page, true);
     const { frames } = await statsOf(viewer);
-    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [9, 99, 9]));
+    await viewer.evaluate((element) => (element.lights[0]!.diffuse = [9, 99, 9]));
     await settled(viewer);
     expect((await statsOf(viewer)).frames).toBe(frames + 1);
   });

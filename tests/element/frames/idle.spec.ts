@@ -1,8 +1,7 @@
 // Does the page rest while nothing changes? Counts frames, timers and WebGL calls from outside
 // (counting.ts).
 
-import type { Locator } from '@playwright/test';
-import { allReady, expect, test } from '../../support/test.js';
+import { type ViewerLocator, allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, spentBetween, expectIdle } from '../support/counting.js';
 import { assign, drag, nextFrame, type PhongViewer, record, statsOf } from '../support/viewer.js';
 
@@ -12,7 +11,7 @@ const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
-const framesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).frames;
+const framesOf = async (viewer: ViewerLocator): Promise<number> => (await statsOf(viewer)).frames;
 
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;
@@ -24,7 +23,7 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
   const viewer = await mount(`${box}${box}`, size);
   expect((await countsOf(page)).layouts).toBeGreaterThan(0); // of the first look
   const turnAWhile = (): Promise<void> =>
-    viewer.evaluate(async (element: PhongViewer) => {
+    viewer.evaluate(async (element) => {
       const end = element.stats.frames + 3;
       element.autoRotate = 45;
       while (element.stats.frames < end) {
@@ -38,10 +37,7 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
     ['after the wheel', () => page.mouse.wheel(0, 50)],
     ['after a key', () => page.keyboard.press('ArrowLeft')],
     ['with the pointer away', () => page.mouse.move(500, 500)],
-    [
-      'with a light less',
-      () => viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove()),
-    ],
+    ['with a light less', () => viewer.evaluate((element) => element.lights[0]?.remove())],
     ['after turning by itself', turnAWhile],
     ['with reduced motion', () => page.emulateMedia({ reducedMotion: 'reduce' })],
     ['turning, with reduced motion', () => assign(viewer, { autoRotate: 45 })],
@@ -138,7 +134,7 @@ test('many changes in one task make one frame, and those that change nothing mak
   const renders = await record(viewer, 'render');
   await nextFrame(page);
   const before = await countsOf(page);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.theta = 30;
     element.lights[0]!.position = [1, 2, 3, 0];
     element.setAttribute('alt', 'A box');
@@ -146,7 +142,7 @@ test('many changes in one task make one frame, and those that change nothing mak
   await nextFrame(page);
   const same = await countsOf(page);
   expect(spentBetween(before, same).gl).toBe(0);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     for (let i = 0; i < 50; i++) {
       element.theta = i;
       element.kd = [i, i, i];
@@ -181,7 +177,7 @@ test('a viewer alone on its page shows the WebGL canvas itself, after others wen
     await allReady(page);
     await nextFrame(page);
     const isDirect = await viewer.evaluate(
-      (element: PhongViewer) =>
+      (element) =>
         element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof
         WebGL2RenderingContext,
     );

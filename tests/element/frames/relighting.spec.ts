@@ -2,7 +2,14 @@
 // else changes before, with or after them? The oracle is `toBlob`, which always draws everything.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import {
+  type ViewerLocator,
+  compare,
+  expect,
+  pixels,
+  test,
+  type Picture,
+} from '../../support/test.js';
 import { drawFrames, moveFor } from './driving.js';
 import { drawnWith, type GlProgram, logGl } from '../support/gl-log.js';
 import { holdContext, loseAndRestore } from '../page/many-viewers.js';
@@ -27,8 +34,11 @@ const programsOf = (drawn: readonly GlProgram[]): string =>
     .join();
 
 /** Runs `change` in one task and returns what the next frame shows. */
-async function shownAfter(viewer: Locator, change: (element: PhongViewer) => void): Promise<Shown> {
-  const waiting = viewer.evaluate(async (element: PhongViewer) => {
+async function shownAfter(
+  viewer: ViewerLocator,
+  change: (element: PhongViewer) => void,
+): Promise<Shown> {
+  const waiting = viewer.evaluate(async (element) => {
     window.glLog.take();
     await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
     // A microtask after the drawing: the canvas still has what the page will show.
@@ -97,7 +107,7 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
 };
 
 async function expectWhole(
-  viewer: Locator,
+  viewer: ViewerLocator,
   which: string,
   { picture, programs }: Shown,
 ): Promise<void> {
@@ -113,7 +123,7 @@ async function expectWhole(
   }
 }
 
-async function settle(page: Page, viewer: Locator): Promise<void> {
+async function settle(page: Page, viewer: ViewerLocator): Promise<void> {
   await drawFrames(page, 30); // long enough for a specialised program
   await moveFor(viewer, 30);
 }
@@ -181,7 +191,7 @@ test('lights that move beside another viewer, or after a restored context, show 
   await other.evaluate((element) => element.remove());
   await expectWholeMoves('alone');
   await loseAndRestore(page, viewer, () =>
-    viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [0, 2, 1, 0])),
+    viewer.evaluate((element) => (element.lights[0]!.position = [0, 2, 1, 0])),
   );
   await expectWholeMoves('restored');
 });

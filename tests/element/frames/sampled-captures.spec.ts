@@ -2,7 +2,7 @@
 
 import type * as Three from 'three';
 import { expect, test } from '../../support/test.js';
-import type { PhongMesh, PhongViewer } from '../support/viewer.js';
+import type { PhongMesh } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const size = { width: 24, height: 16 };
@@ -16,7 +16,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
       <phong-mesh geometry="box" position=".5 0 0"></phong-mesh></phong-viewer>`,
     size,
   );
-  const wrong = await viewer.evaluate(async (element: PhongViewer, given) => {
+  const wrong = await viewer.evaluate(async (element, given) => {
     const address = '/node_modules/three/build/three.module.js';
     const three = (await import(address)) as typeof Three;
     const fragmentShader = 'void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0); }';
@@ -91,7 +91,7 @@ test('toBlob({ samples }) ends with the picture of one scene where each frame ch
   mount,
 }) => {
   const viewer = await mount(`<phong-viewer alt="" geometry="torus">${light}</phong-viewer>`, size);
-  const result = await viewer.evaluate(async (element: PhongViewer, given) => {
+  const result = await viewer.evaluate(async (element, given) => {
     const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
       new Uint8Array(await (await blob).arrayBuffer()).join();
     const angles = [10, 50];

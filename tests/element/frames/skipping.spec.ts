@@ -2,16 +2,15 @@
 // the viewer's own `stats`, and compares pictures with the float64 equation over all declared
 // lights.
 
-import type { Locator } from '@playwright/test';
 import { HEADER, ROWS } from '../../../src/phong/light/light-layout.js';
 import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { lightWith } from '../../stress/case.js';
-import { expect, pixels, test } from '../../support/test.js';
+import { type ViewerLocator, expect, pixels, test } from '../../support/test.js';
 import { compareWithReference } from '../../visual/against-reference.js';
 import { sceneMarkup } from '../../visual/random-scene.js';
 import type { CastMesh, DeclaredScene } from '../../visual/ray-cast.js';
 import { glSpent, logGl, type GlSpent } from '../support/gl-log.js';
-import { nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';
+import { nextFrame, settled, statsOf } from '../support/viewer.js';
 import { RELEASE } from '../../support/repeats.js';
 
 const size = { width: 60, height: 42 };
@@ -44,13 +43,13 @@ const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): Declare
 });
 
 /** Replaces the viewer with this scene. */
-async function show(viewer: Locator, scene: DeclaredScene): Promise<void> {
+async function show(viewer: ViewerLocator, scene: DeclaredScene): Promise<void> {
   await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
   await settled(viewer);
 }
 
 /** Shows this scene and holds it against the equation. Returns the viewer's `stats`. */
-async function showsTheEquation(viewer: Locator, scene: DeclaredScene, which: string) {
+async function showsTheEquation(viewer: ViewerLocator, scene: DeclaredScene, which: string) {
   await show(viewer, scene);
   const errors = compareWithReference(await pixels(viewer, size), scene);
   expect(errors.max, `${which}: ${errors.at}`).toBeLessThanOrEqual(1);
@@ -140,9 +139,9 @@ interface Cost extends GlSpent {
  * Changes this many evenly spaced lights in one task, and returns the cost until the page is at
  * rest.
  */
-function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
+function costOf(viewer: ViewerLocator, change: Change, count: number): Promise<Cost> {
   return viewer.evaluate(
-    async (element: PhongViewer, [what, some]) => {
+    async (element, [what, some]) => {
       const rest = () =>
         new Promise<void>((resolve) =>
           requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),

@@ -2,9 +2,8 @@
 // The page's clock and the GPU are models: a GPU that queues what it is sent, as browsers do, while
 // frames come at an interval of their own. So no machine is too slow or too fast.
 
-import type { Locator } from '@playwright/test';
-import { expect, pixels, test } from '../../support/test.js';
-import { type PhongViewer, statsOf, assign } from '../support/viewer.js';
+import { type ViewerLocator, expect, pixels, test } from '../../support/test.js';
+import { statsOf, assign } from '../support/viewer.js';
 
 const size = { width: 300, height: 200 };
 const viewerOf = (attributes = ''): string =>
@@ -81,15 +80,15 @@ test.beforeEach(async ({ page }) => {
   }, size.width * size.height);
 });
 
-const setCosts = (viewer: Locator, costs: Costs): Promise<void> =>
+const setCosts = (viewer: ViewerLocator, costs: Costs): Promise<void> =>
   viewer.evaluate((_, given) => {
     Object.assign(window, { costs: { vertices: 0, blocks: false, ...given } });
   }, costs);
 
 /** Turns for so many pictures, gives the canvas's widths, and waits until it has all pixels again. */
-async function turn(viewer: Locator, pictures: number, costs: Costs): Promise<number[]> {
+async function turn(viewer: ViewerLocator, pictures: number, costs: Costs): Promise<number[]> {
   await setCosts(viewer, costs);
-  return viewer.evaluate(async (element: PhongViewer, count) => {
+  return viewer.evaluate(async (element, count) => {
     const canvas = (): HTMLCanvasElement => element.shadowRoot!.querySelector('canvas')!;
     const next = (): Promise<number> =>
       new Promise((resolve) =>
@@ -155,7 +154,7 @@ test('quick drawing has all pixels at 60 frames a second and in late frames, and
 test('a picture whose canvas another viewer takes waits for no drawing', async ({ mount }) => {
   const viewer = await mount(viewerOf(), size);
   await setCosts(viewer, { drawing: 200, interval: 60 });
-  const [waiting, then, drawn] = await viewer.evaluate(async (element: PhongViewer, markup) => {
+  const [waiting, then, drawn] = await viewer.evaluate(async (element, markup) => {
     const next = async (): Promise<number> => {
       for (let i = 0; i < 9; i++) {
         await new Promise(requestAnimationFrame);
@@ -183,7 +182,7 @@ test('files, `ready` and `shadeAt` know whole pictures only, even of a viewer th
 }) => {
   const viewer = await mount(viewerOf(), size);
   await setCosts(viewer, { drawing: 200, interval: 60 });
-  const seen = await viewer.evaluate(async (element: PhongViewer) => {
+  const seen = await viewer.evaluate(async (element) => {
     const canvas = element.shadowRoot!.querySelector('canvas')!;
     element.autoRotate = 45;
     while (canvas.width === 300) {
@@ -202,7 +201,7 @@ test('a ball that moves with fewer pixels has fewer triangles, but not in files,
 }) => {
   const viewer = await mount(viewerOf().replace('box', 'sphere'), size);
   await setCosts(viewer, { drawing: 200, interval: 60 });
-  const drawn = await viewer.evaluate(async (element: PhongViewer) => {
+  const drawn = await viewer.evaluate(async (element) => {
     const canvas = element.shadowRoot!.querySelector('canvas')!;
     const triangles: Record<number, Set<number>> = {};
     const { drawElements } = WebGL2RenderingContext.prototype;

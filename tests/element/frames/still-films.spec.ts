@@ -4,15 +4,7 @@
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn, expectIdle } from '../support/counting.js';
 import { film, keepPixels, viewerOf } from '../support/film.js';
-import {
-  assign,
-  nextFrame,
-  type PhongViewer,
-  samplesOf,
-  set,
-  settled,
-  statsOf,
-} from '../support/viewer.js';
+import { assign, nextFrame, samplesOf, set, settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 64, height: 48 };
 
@@ -122,7 +114,7 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
     size,
   );
   const seen = (antialias: string) =>
-    viewer.evaluate(async (element: PhongViewer, mode) => {
+    viewer.evaluate(async (element, mode) => {
       const wait = (ms: number): Promise<unknown> =>
         new Promise((resolve) => setTimeout(resolve, ms));
       element.setAttribute('antialias', mode);

@@ -1,8 +1,8 @@
 // `antialias="full"`: when do samples come, what interrupts them, and what is shown meanwhile and
 // afterwards?
 
-import type { Locator, Page } from '@playwright/test';
-import { allReady, expect, pixels, same, test } from '../../support/test.js';
+import type { Page } from '@playwright/test';
+import { type ViewerLocator, allReady, expect, pixels, same, test } from '../../support/test.js';
 import { countEverything, expectIdle } from '../support/counting.js';
 import {
   assign,
@@ -26,7 +26,7 @@ interface Shown {
 }
 
 /** What `stats` says at each `render` from now on. */
-const renders = (viewer: Locator) =>
+const renders = (viewer: ViewerLocator) =>
   viewer.evaluateHandle((element: PhongViewer) => {
     const list: Shown[] = [];
     element.addEventListener('render', () => {
@@ -37,7 +37,7 @@ const renders = (viewer: Locator) =>
   });
 
 /** Waits until it has all samples. */
-async function converged(viewer: Locator): Promise<void> {
+async function converged(viewer: ViewerLocator): Promise<void> {
   await settled(viewer);
   expect(await samplesOf(viewer)).toBe(16);
 }
@@ -75,7 +75,7 @@ test('samples begin three frames sooner after a lone change than after a drag', 
    * ends with a fence.
    */
   const waited = (changes: number): Promise<number> =>
-    viewer.evaluate(async (element: PhongViewer, count) => {
+    viewer.evaluate(async (element, count) => {
       await new Promise((resolve) => setTimeout(resolve, 300));
       const { prototype } = WebGL2RenderingContext;
       const { fenceSync } = prototype;
@@ -138,7 +138,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
   const begins = (): Promise<void> =>
     expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
   await begins();
-  const moved = await viewer.evaluate((element: PhongViewer) => {
+  const moved = await viewer.evaluate((element) => {
     const parent = element.parentElement!;
     element.remove();
     parent.append(element);
@@ -148,7 +148,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
   await begins();
   await viewer.evaluate((element) => (element.style.cssText = 'position: absolute; top: 9000px'));
   await settled(viewer);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.style.cssText = '';
     element.samples = 16;
   });
@@ -156,7 +156,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
   await assign(viewer, { autoRotate: 90 });
   await expect.poll(() => samplesOf(viewer), 'a turning camera').toBe(0);
   await settled(viewer);
-  const stopped = await viewer.evaluate(async (element: PhongViewer) => {
+  const stopped = await viewer.evaluate(async (element) => {
     element.autoRotate = 0;
     await element.ready;
     return element.stats.samples;
@@ -228,7 +228,7 @@ test('samples of a round shape have more triangles than the plain picture, which
 }) => {
   const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
   const triangles = (): Promise<number> =>
-    viewer.evaluate((element: PhongViewer) => {
+    viewer.evaluate((element) => {
       let count = 0;
       element.scene.traverse((object) => {
         count +=

@@ -3,9 +3,15 @@
 // code of samples has no part in.
 
 import { readFileSync } from 'node:fs';
-import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
-import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
+import {
+  type ViewerLocator,
+  allReady,
+  expect,
+  type Picture,
+  pixels,
+  test,
+} from '../../support/test.js';
 import { countEverything, expectIdle } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, samplesOf, settled } from '../support/viewer.js';
 
@@ -43,7 +49,7 @@ const rmse = (a: Means, b: Means): number =>
 const BY_PIXEL: readonly string[] = ['triangles'];
 
 /** Waits for all samples and holds the picture against the mean of a larger one. */
-async function showsTheMean(viewer: Locator, what: string): Promise<void> {
+async function showsTheMean(viewer: ViewerLocator, what: string): Promise<void> {
   await settled(viewer);
   expect(await samplesOf(viewer), what).toBe(64);
   const shown = meansOf(await pixels(viewer), 1);

@@ -153,7 +153,7 @@ test('a model for which the GPU has no memory is too large, and the picture befo
   const viewer = await mount(`<phong-viewer geometry="box">${light}</phong-viewer>`, size);
   const before = await pixels(viewer);
   const heard = await record(viewer, 'error');
-  await viewer.evaluate((element: PhongViewer, src) => {
+  await viewer.evaluate((element, src) => {
     Object.assign(window, { full: true });
     element.src = src;
     return element.ready;

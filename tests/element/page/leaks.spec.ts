@@ -59,7 +59,7 @@ test('a picture that converges again and again leaves nothing behind', async ({ 
     size,
   );
   const turn = (times: number): Promise<void> =>
-    viewer.evaluate(async (element: PhongViewer, count) => {
+    viewer.evaluate(async (element, count) => {
       for (let i = 0; i < count; i++) {
         element.theta += 1;
         await element.ready;
@@ -82,7 +82,7 @@ test('moving a viewer on its page opens no context and uploads nothing', async (
   const viewer = await mount(`${kinds[0]}${stays}<section></section>`, size);
   const before = await held(page);
   const shot = await viewer.screenshot();
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     const place = document.querySelector('section')!;
     for (let i = 0; i < 10; i++) {
       place.append(element);

@@ -16,7 +16,7 @@ test.describe('toBlob', () => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
     const before = await pixels(viewer);
     const of = (options: object): Promise<unknown> =>
-      viewer.evaluate(async (element: PhongViewer, given) => {
+      viewer.evaluate(async (element, given) => {
         try {
           const blob = await element.toBlob(given);
           const { width, height } = await createImageBitmap(blob);
@@ -41,7 +41,7 @@ test.describe('toBlob', () => {
     expect(await of({ width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
     expect(await of({ quality: 7 })).toBe('RangeError');
     same(await pixels(viewer), before);
-    const corner = await viewer.evaluate(async (element: PhongViewer) => {
+    const corner = await viewer.evaluate(async (element) => {
       const blob = await element.toBlob({ type: 'image/jpeg', quality: 1 });
       const context = new OffscreenCanvas(1, 1).getContext('2d')!;
       context.drawImage(await createImageBitmap(blob), 0, 0);
@@ -147,7 +147,7 @@ test('requestRender shows changes of own objects, with the same camera until ref
   const before = await cameraOf(viewer);
   const picture = await pixels(viewer);
   const changes = await record(viewer, 'camera-change', 'render');
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     const shape = element.scene.getObjectByProperty('isMesh', true) as Mesh;
     const own = shape.clone();
     own.matrixAutoUpdate = true;
@@ -159,7 +159,7 @@ test('requestRender shows changes of own objects, with the same camera until ref
   expect(compare(await pixels(viewer), picture).max).toBeGreaterThan(20);
   expect(await cameraOf(viewer)).toEqual(before);
   expect(await changes.take()).toEqual([{ type: 'render', detail: null }]);
-  await viewer.evaluate((element: PhongViewer) => element.refit());
+  await viewer.evaluate((element) => element.refit());
   await settled(viewer);
   const { target, radius } = await cameraOf(viewer);
   expect(target).toEqual([0.5, 0, 0]);
@@ -172,7 +172,7 @@ test('requestRender shows changes of own objects, with the same camera until ref
     detail: { source: 'auto' },
   });
   // Vertices that were written in place.
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     (element.scene.getObjectByProperty('isMesh', true) as Mesh).geometry.scale(2, 2, 2);
     element.refit();
   });
@@ -193,7 +193,7 @@ test('an own object that moves far behind the scene or close to the eye is not c
   ] as const) {
     const viewer = await mount(dark, { width: 100, height: 100 });
     await viewer.evaluate(
-      async (element: PhongViewer, [z, scale]) => {
+      async (element, [z, scale]) => {
         const shape = element.scene.getObjectByProperty('isMesh', true) as Mesh;
         const own = shape.clone();
         own.matrixAutoUpdate = true;

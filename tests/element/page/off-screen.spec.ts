@@ -69,7 +69,7 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
     { ...size, css: `${above(700 + 750)} phong-viewer { float: left }` },
   );
   const lazy = page.locator('phong-viewer').last();
-  expect(await auto.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
+  expect(await auto.evaluate(({ loaded }) => loaded)).toBe(true);
   for (let theta = 1; theta < 5; theta++) {
     await assign(auto, { theta });
   }
@@ -96,7 +96,7 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
   });
   const auto = page.locator('phong-viewer').last();
   expect([await frames(eager), await frames(auto)]).toEqual([1, 0]);
-  const drawn = await eager.evaluate(async (element: PhongViewer) => {
+  const drawn = await eager.evaluate(async (element) => {
     element.theta = 50;
     await element.ready;
     return element.stats.frames;

@@ -2,7 +2,15 @@
 // is under a strict Content-Security-Policy, which new documents inherit.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, strictPolicy, same, test } from '../../support/test.js';
+import {
+  type ViewerLocator,
+  compare,
+  expect,
+  pixels,
+  strictPolicy,
+  same,
+  test,
+} from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
 import {
   cameraOf,
@@ -33,7 +41,7 @@ const intoFrame = (page: Page): Promise<void> =>
   });
 
 /** How many pixels on the screen are dark in what the viewer covers. */
-async function inkOn(page: Page, viewer: Locator): Promise<number> {
+async function inkOn(page: Page, viewer: ViewerLocator): Promise<number> {
   const { data } = decodePng(await page.screenshot({ clip: (await viewer.boundingBox())! }));
   let ink = 0;
   for (let i = 0; i < data.length; i += 4) {
@@ -110,7 +118,7 @@ test('lights and meshes move with the viewer into an iframe, whose media queries
 
 test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page, mount }) => {
   const viewer = await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.gui = true;
   });
   await expect(viewer.locator('[part=panel] .lil-root')).toBeVisible();
@@ -215,7 +223,7 @@ for (const how of ['removed', 'navigated'] as const) {
 test('a document without a window counts as outside the page', async ({ page, mount }) => {
   const viewer = await mount(scene, SIZE);
   const before = await pixels(viewer);
-  const frames = await viewer.evaluate(async (element: PhongViewer) => {
+  const frames = await viewer.evaluate(async (element) => {
     const inert = document.implementation.createHTMLDocument();
     inert.body.append(element);
     element.theta = 50;

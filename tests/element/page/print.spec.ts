@@ -2,7 +2,7 @@
 import { type Browser, chromium, type Page } from '@playwright/test';
 import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import { nextFrame } from '../support/viewer.js';
 import { decodePng, type Picture } from '../../support/picture.js';
 
 /** Has a PDF viewer, other than headless shells. */
@@ -22,7 +22,7 @@ test('prints the mean of all samples, also after an exception', async ({
     css: 'div { height: 5000px }',
   });
   const thrown = consoleGuard.allow(/an object of the page throws/);
-  await first.evaluate((element: PhongViewer) => {
+  await first.evaluate((element) => {
     element.scene.onBeforeRender = () => {
       throw new Error('an object of the page throws');
     };

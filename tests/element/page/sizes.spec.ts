@@ -1,22 +1,20 @@
 // Does the canvas follow the element's size and the screen's pixels exactly, also while they
 // change? Canvas sizes are in device pixels, everything else in CSS pixels.
 
-import type { Locator } from '@playwright/test';
-import { expect, pixels, setPixelRatio, same, test } from '../../support/test.js';
 import {
-  assign,
-  canvasSize,
-  nextFrame,
-  type PhongViewer,
-  record,
-  set,
-  htmlOf,
-} from '../support/viewer.js';
+  type ViewerLocator,
+  expect,
+  pixels,
+  setPixelRatio,
+  same,
+  test,
+} from '../../support/test.js';
+import { assign, canvasSize, nextFrame, record, set, htmlOf } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
-const style = (viewer: Locator, css: string): Promise<string> =>
+const style = (viewer: ViewerLocator, css: string): Promise<string> =>
   viewer.evaluate((element, text) => (element.style.cssText = text), css);
 
 test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
@@ -78,18 +76,16 @@ test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixel
   const size = { width: 90, height: 60 };
   const plain = await mount(box, size);
   const expected = await pixels(plain);
-  const place = await plain.evaluate(
-    async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p,
-  );
+  const place = await plain.evaluate(async (element) => (await element.shadeAt(45, 30))?.p);
   const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), {
     ...size,
     deviceScaleFactor: 2,
   });
   expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
   same(await pixels(limited), expected);
-  expect(
-    await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p),
-  ).toEqual(place);
+  expect(await limited.evaluate(async (element) => (await element.shadeAt(45, 30))?.p)).toEqual(
+    place,
+  );
   expect(await htmlOf(limited)).toContain('pixel-ratio="1"');
 });
 
@@ -105,7 +101,7 @@ test('is right when shown after it was 0 × 0 or not displayed, at the start or 
     const viewer = await mount(gone, { ...size, css, waitForReady: false });
     const shown = async (): Promise<void> => {
       // At once: whatever stays without a size is warned of.
-      await viewer.evaluate(async (element: PhongViewer) => {
+      await viewer.evaluate(async (element) => {
         await element.ready;
         element.removeAttribute('class');
       });

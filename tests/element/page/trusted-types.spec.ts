@@ -49,7 +49,7 @@ test('a viewer works under a strict policy and trusted-types lit-html', async ({
     }
   });
   expect(refused).toContain('TrustedHTML');
-  const loaded = await viewer.evaluate(async (element: PhongViewer) => {
+  const loaded = await viewer.evaluate(async (element) => {
     await element.toBlob({ helpers: true });
     await element.shadeAt(300, 200);
     return element.loaded;
@@ -58,7 +58,7 @@ test('a viewer works under a strict policy and trusted-types lit-html', async ({
   await button(panelOf(viewer), 'add light').click();
   await button(panelOf(viewer), 'copy HTML').click();
   await expect(panelOf(viewer).getByRole('button', { name: /copied|select/ })).toBeVisible();
-  expect(await viewer.evaluate((element: PhongViewer) => element.lights.length)).toBe(2);
+  expect(await viewer.evaluate((element) => element.lights.length)).toBe(2);
   await assign(viewer, { src: '/fixtures/models/not-there.glb' });
   await expect(viewer.locator('[part=notice]')).toBeVisible();
   expect(

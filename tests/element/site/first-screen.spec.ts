@@ -2,7 +2,7 @@
 // digits add up, and picture and markup move each other.
 import { countJumps, jumpsOf } from '../../support/jumps.js';
 import type { Locator, Page } from '@playwright/test';
-import { allReady, expect, pixelAt, test } from '../../support/test.js';
+import { type ViewerLocator, allReady, expect, pixelAt, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
 import type { PhongViewer } from '../support/viewer.js';
 import { assign } from '../support/viewer.js';
@@ -19,8 +19,8 @@ async function open(page: Page): Promise<Locator> {
 const cells = async (page: Page): Promise<readonly (readonly number[])[]> =>
   (await page.locator('#sum .digits').allTextContents()).map((text) => text.split(' ').map(Number));
 
-const lamp = (viewer: Locator): Promise<readonly number[]> =>
-  viewer.evaluate((element: PhongViewer) => element.lights[1]!.position);
+const lamp = (viewer: ViewerLocator): Promise<readonly number[]> =>
+  viewer.evaluate((element) => element.lights[1]!.position);
 
 test('the line adds up to the pixel under the mouse, as the picture shows it', async ({ page }) => {
   const viewer = await open(page);

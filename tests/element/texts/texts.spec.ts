@@ -1,9 +1,8 @@
 // Does `texts` replace every text that a viewer shows or announces? The test puts all texts in
 // brackets and looks for text without brackets.
 
-import type { Locator } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../support/texts.js';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import {
   button,
   choice,
@@ -15,7 +14,7 @@ import {
   row,
   titleOf,
 } from '../../extras/panel/panel-rows.js';
-import { assign, type PhongViewer } from '../support/viewer.js';
+import { assign } from '../support/viewer.js';
 
 const bracketed = Object.fromEntries(VIEWER_TEXTS.map((text) => [text, `[${text}]`]));
 
@@ -27,7 +26,7 @@ const scene = `<phong-viewer alt="Szene" geometry="box" gui><phong-light name="S
 /**
  * All texts that users see, hear or get as a tooltip: text nodes, and attributes that contain text.
  */
-const textsIn = (viewer: Locator): Promise<string[]> =>
+const textsIn = (viewer: ViewerLocator): Promise<string[]> =>
   viewer.evaluate(({ shadowRoot }) => {
     const found: string[] = [];
     for (const element of shadowRoot!.querySelectorAll('*')) {
@@ -49,10 +48,10 @@ const textsIn = (viewer: Locator): Promise<string[]> =>
 const isReplaced = (text: string): boolean => /^\[.*\]\.?$/s.test(text);
 
 /** Waits for the description in the new texts, which follows a second later. */
-const described = (viewer: Locator): Promise<void> =>
+const described = (viewer: ViewerLocator): Promise<void> =>
   expect.poll(async () => (await textsIn(viewer)).join()).toContain('[Camera: ');
 
-async function openAll(viewer: Locator): Promise<void> {
+async function openAll(viewer: ViewerLocator): Promise<void> {
   const closed = viewer.locator('.lil-title[aria-expanded=false]');
   while ((await closed.filter({ visible: true }).count()) > 0) {
     await closed.filter({ visible: true }).first().click();
@@ -124,7 +123,7 @@ test('texts relabels an open panel without changing its state', async ({ page, m
   expect(await listOf(viewer).evaluate((list) => list.scrollTop)).toBe(60);
   await expect(titleOf(viewer, 'Kameraordner')).toHaveAttribute('aria-expanded', 'true');
   await choice(sun, 'Raum').selectOption('Kamera');
-  expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]!.space)).toBe('camera');
+  expect(await viewer.evaluate((element) => element.lights[0]!.space)).toBe('camera');
   await button(viewer, 'Licht hinzufügen').click();
   await expect(titleOf(viewer, 'Licht 4')).toBeFocused();
   await page.keyboard.press('F2');

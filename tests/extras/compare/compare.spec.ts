@@ -5,7 +5,14 @@
 import type { Locator, Page } from '@playwright/test';
 import type { PhongCompare } from '../../../src/viewer/index.js';
 import { decodePng, type Picture, pixelAt } from '../../support/picture.js';
-import { allReady, expect, strictPolicy, test, type Mount } from '../../support/test.js';
+import {
+  type ViewerLocator,
+  allReady,
+  expect,
+  strictPolicy,
+  test,
+  type Mount,
+} from '../../support/test.js';
 import { countEverything, countsOf } from '../../element/support/counting.js';
 import { opened, panelOf, titleOf } from '../panel/panel-rows.js';
 import {
@@ -421,9 +428,9 @@ test('open panels of a split comparison stand beside all pictures, below on a ph
     page.locator('phong-viewer').last(),
   ];
   const boxOf = async (target: Locator) => (await target.boundingBox())!;
-  const surfaceOf = (viewer: Locator) => boxOf(viewer.locator('[part=surface]'));
+  const surfaceOf = (viewer: ViewerLocator) => boxOf(viewer.locator('[part=surface]'));
   /** What the user would press in the middle of a part belongs to it. */
-  const isOnTop = (viewer: Locator): Promise<boolean> =>
+  const isOnTop = (viewer: ViewerLocator): Promise<boolean> =>
     panelOf(viewer).evaluate((panel) => {
       const { x, y, width, height } = panel.getBoundingClientRect();
       const root = panel.getRootNode() as ShadowRoot;
@@ -447,7 +454,7 @@ test('open panels of a split comparison stand beside all pictures, below on a ph
   expect(above.y + above.height).toBeLessThanOrEqual(below.y);
   expect(below.y + below.height).toBeLessThanOrEqual(500);
   expect([await isOnTop(first), await isOnTop(second)]).toEqual([true, true]);
-  const nameOf = (viewer: Locator) =>
+  const nameOf = (viewer: ViewerLocator) =>
     titleOf(viewer, 'Controls').evaluate((title) => getComputedStyle(title, '::after').content);
   expect(await nameOf(first), 'says whose it is').toContain('"A"');
   expect(await nameOf(second)).toContain('"B"');

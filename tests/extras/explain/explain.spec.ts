@@ -2,7 +2,6 @@
 
 import { expect, test } from '../../support/test.js';
 import type { PhongViewerEventMap } from '../../../src/viewer/index.js';
-import type { PhongViewer } from '../../element/support/viewer.js';
 
 /** A floor below a lamp at 60 degrees, 2 away, seen from above. */
 const scene = (attributes: string): string =>
@@ -13,7 +12,7 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
   mount,
 }) => {
   const viewer = await mount(scene(''));
-  const [drawn, pixel, hidden, away, none] = await viewer.evaluate(async (element: PhongViewer) => {
+  const [drawn, pixel, hidden, away, none] = await viewer.evaluate(async (element) => {
     const red = async (point: [number, number, number]): Promise<number | null> =>
       (await element.explain(point))?.sum[0] ?? null;
     const [x, y] = [element.clientWidth / 2, element.clientHeight / 2];
@@ -38,8 +37,7 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
   ] as const) {
     expect(
       await viewer.evaluate(
-        (element: PhongViewer, wrong) =>
-          element.explain(wrong as never).catch((error: Error) => error.name),
+        (element, wrong) => element.explain(wrong as never).catch((error: Error) => error.name),
         point,
       ),
     ).toBe(name);
@@ -50,7 +48,7 @@ test('`probe-change` is the same with and without `probe`, and inside CSS zoom',
   mount,
 }) => {
   const viewer = await mount(scene(''), { css: 'phong-viewer { zoom: 2 }' });
-  const { without, boxes, probed, gone } = await viewer.evaluate(async (element: PhongViewer) => {
+  const { without, boxes, probed, gone } = await viewer.evaluate(async (element) => {
     type Detail = PhongViewerEventMap['probe-change']['detail'];
     // A point that was being explained before the change is told first.
     const next = (change: { kd?: readonly number[]; probe?: boolean }): Promise<Detail> =>

@@ -8,7 +8,7 @@ import { firstOf, fullOr, SEED } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { randomScene, sceneMarkup } from '../../visual/random-scene.js';
 import { comparedWithPicture, type Compared, errorOf, isClear, show } from './shade-at-support.js';
-import { assign, cameraOf, type PhongViewer } from '../../element/support/viewer.js';
+import { assign, cameraOf } from '../../element/support/viewer.js';
 
 const SIZE = { width: 160, height: 120 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
@@ -187,7 +187,7 @@ test.describe('shadeAt explains the picture', () => {
       `<phong-viewer target="0 0 0.27" theta="0" phi="90" radius="${2 * radius}"><phong-mesh src="${src}"></phong-mesh>
          <phong-mesh geometry="box" scale="3" position="0 0 -3"></phong-mesh>${AMBIENT}</phong-viewer>`,
     );
-    const seen = await viewer.evaluate(async (element: PhongViewer) => {
+    const seen = await viewer.evaluate(async (element) => {
       const found: string[] = [];
       for (let x = 70; x < 90; x++) {
         const fragment = await element.shadeAt(x, 60);
@@ -200,7 +200,7 @@ test.describe('shadeAt explains the picture', () => {
 
   test('by hitting nothing where a mask is transparent', async ({ mount }) => {
     const viewer = await mount(model(texturedModel(LINEAR, MIRRORED, 'MASK')), SIZE);
-    const counts = await viewer.evaluate(async (element: PhongViewer) => {
+    const counts = await viewer.evaluate(async (element) => {
       const context = new OffscreenCanvas(160, 120).getContext('2d')!;
       context.drawImage(await createImageBitmap(await element.toBlob()), 0, 0);
       const { data } = context.getImageData(0, 0, 160, 120);

@@ -2,9 +2,8 @@
 // viewer, colours 0–1.
 
 import { readFileSync } from 'node:fs';
-import type { Locator } from '@playwright/test';
 import { decodePng } from '../../support/picture.js';
-import { expect, pixelAt, test } from '../../support/test.js';
+import { type ViewerLocator, expect, pixelAt, test } from '../../support/test.js';
 import {
   nextFrame,
   type PhongMesh,
@@ -44,9 +43,9 @@ const close = (x: number): unknown => expect.closeTo(x, 12);
 const grey = (x: number): unknown[] => [x, x, x].map(close);
 
 /** The result of shadeAt, with elements as their names and without three.js's object. */
-const explained = (viewer: Locator, x: number, y: number) =>
+const explained = (viewer: ViewerLocator, x: number, y: number) =>
   viewer.evaluate(
-    async (element: PhongViewer, at) => {
+    async (element, at) => {
       const fragment = await element.shadeAt(...at);
       if (fragment === null) return null;
       const { object, mesh, shares, ...rest } = fragment;
@@ -186,7 +185,7 @@ test.describe('shadeAt returns', () => {
     });
     expect(await explained(viewer, 40, 40)).toMatchObject({ mesh: 'viewer', object: 'box' });
     expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'floor' });
-    const found = await viewer.evaluate(async (element: PhongViewer) => {
+    const found = await viewer.evaluate(async (element) => {
       const { object } = (await element.shadeAt(50, 50))!;
       return element.scene.getObjectById(object.id) === object;
     });
@@ -197,8 +196,7 @@ test.describe('shadeAt returns', () => {
     const viewer = await mount(floor(LIGHTS), FLOOR);
     const place = (x: number, options = {}): Promise<number> =>
       viewer.evaluate(
-        async (element: PhongViewer, given) =>
-          (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
+        async (element, given) => (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
         { x, options },
       );
     const [centre, next] = [await place(40.9), await place(41.5)];
@@ -232,7 +230,7 @@ test.describe('shadeAt is null', () => {
 
   test('where an own object of the page’s author is nearer', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS), FLOOR);
-    const found = await viewer.evaluate(async (element: PhongViewer) => {
+    const found = await viewer.evaluate(async (element) => {
       const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
       own.matrixAutoUpdate = true;
       element.scene.add(own);
@@ -252,7 +250,7 @@ test('explains the scene at the time of the call, including earlier writes and n
   mount,
 }) => {
   const viewer = await mount(floor(LIGHTS), FLOOR);
-  const [pending, earlier, appended] = await viewer.evaluate(async (element: PhongViewer) => {
+  const [pending, earlier, appended] = await viewer.evaluate(async (element) => {
     const mesh = element.meshes[0]!;
     mesh.shininess = 7;
     const first = element.shadeAt(50, 50);
@@ -279,7 +277,7 @@ test('works before the first frame and off screen, and is null outside the page'
 }) => {
   const viewer = await mount(floor(LIGHTS), FLOOR);
   const before = await explained(viewer, 30, 40);
-  const early = await viewer.evaluate(async (element: PhongViewer) => {
+  const early = await viewer.evaluate(async (element) => {
     const copy = element.cloneNode(true) as PhongViewer;
     document.body.append(copy);
     const explanation = copy.shadeAt(30, 40);
@@ -329,7 +327,7 @@ test('prints the output that the reference shows for its example', async ({ page
 
 test('rejects invalid positions with TypeError or RangeError', async ({ mount }) => {
   const viewer = await mount(floor(), FLOOR);
-  const errors = await viewer.evaluate((element: PhongViewer) => {
+  const errors = await viewer.evaluate((element) => {
     const bad: unknown[][] = [[NaN, 1], [1, Infinity], ['1', 1], [1], [null, 1], [1, {}]];
     return Promise.all(
       bad.map((at) =>
@@ -365,7 +363,7 @@ test.describe('shadeAt accepts the position of a pointer event', () => {
       height: 150,
       css,
     });
-    await viewer.evaluate((element: PhongViewer) =>
+    await viewer.evaluate((element) =>
       element.addEventListener('pointermove', ({ offsetX, offsetY }) => {
         void element.shadeAt(offsetX, offsetY).then((fragment) => {
           element.dataset['color'] = JSON.stringify(fragment?.color.map((x) => x * 255) ?? null);

@@ -4,13 +4,13 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { still } from '../../../src/extras/still/index.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
 import { bundleOf } from '../../package/bundle.js';
 import { Requests } from '../../package/requests.js';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import { cameraOf, holdBack, type PhongViewer } from '../../element/support/viewer.js';
 import { repository } from '../../support/repository.mjs';
 
@@ -248,7 +248,8 @@ test('a poster of the shape of a picture beside a panel lies where that will be'
   expect(surface!.width).toBeCloseTo(600, 0);
 });
 
-const shot = async (viewer: Locator): Promise<PNG> => PNG.sync.read(await viewer.screenshot());
+const shot = async (viewer: ViewerLocator): Promise<PNG> =>
+  PNG.sync.read(await viewer.screenshot());
 
 test('a poster by the command differs from the picture that takes over only at outlines', async ({
   page,

@@ -1,13 +1,12 @@
 // Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the
 // pose of the last frame.
 
-import type { Locator } from '@playwright/test';
 import { firstOf } from '../../support/repeats.js';
-import { compare, expect, pixels, same, test } from '../../support/test.js';
+import { type ViewerLocator, compare, expect, pixels, same, test } from '../../support/test.js';
 import { addressOf, bar } from '../../support/animated-gltf.js';
 import { countEverything, expectIdle } from '../../element/support/counting.js';
 import { comparedWithPicture, errorOf, isClear, show } from '../explain/shade-at-support.js';
-import { assign, cameraOf, nextFrame, type PhongViewer } from '../../element/support/viewer.js';
+import { assign, cameraOf, nextFrame } from '../../element/support/viewer.js';
 
 const SIZE = { width: 160, height: 120 };
 const BAR = addressOf(bar());
@@ -16,8 +15,8 @@ const viewerOf = (attributes: string, children = LIGHT): string =>
   `<phong-viewer src="${BAR}" ${attributes}>${children}</phong-viewer>`;
 
 /** Waits until this many more frames have been drawn. */
-const played = (viewer: Locator, count = 3): Promise<void> =>
-  viewer.evaluate(async (element: PhongViewer, more) => {
+const played = (viewer: ViewerLocator, count = 3): Promise<void> =>
+  viewer.evaluate(async (element, more) => {
     const end = element.stats.frames + more;
     while (element.stats.frames < end) {
       await new Promise(requestAnimationFrame);
@@ -54,15 +53,13 @@ test.describe('nothing runs', () => {
   test('out of view, and that time does not count', async ({ page, mount }) => {
     const viewer = await mount(viewerOf('autoplay'), SIZE);
     await played(viewer);
-    await viewer.evaluate(
-      ({ style }: PhongViewer) => (style.cssText += '; position: absolute; top: 9000px'),
-    );
+    await viewer.evaluate(({ style }) => (style.cssText += '; position: absolute; top: 9000px'));
     await nextFrame(page);
     await nextFrame(page);
     const before = await pixels(viewer, SIZE);
     await expectIdle(page, 300);
     same(await pixels(viewer, SIZE), before);
-    await viewer.evaluate(({ style }: PhongViewer) => (style.top = '0'));
+    await viewer.evaluate(({ style }) => (style.top = '0'));
     await played(viewer);
     expect(compare(await pixels(viewer, SIZE), before).max).toBeGreaterThan(0);
   });
@@ -75,7 +72,7 @@ test('`auto` frames all poses at the keys: a model that grows or slides stays in
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   /** The least distance of the picture from its edge while it plays, in pixels. */
   const margin = (): Promise<number> =>
-    viewer.evaluate(async (element: PhongViewer) => {
+    viewer.evaluate(async (element) => {
       let least = Infinity;
       for (const end = performance.now() + 2100; performance.now() < end;) {
         const bitmap = await createImageBitmap(await element.toBlob({ width: 160, height: 120 }));
@@ -152,7 +149,7 @@ test('lights are culled by the pose of the last frame', async ({ page, mount }) 
   const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
   const viewer = await mount(viewerOf('autoplay animation-name="slide"', LIGHT + spot), SIZE);
   const reached = (count: number): Promise<void> =>
-    viewer.evaluate(async (element: PhongViewer, wanted) => {
+    viewer.evaluate(async (element, wanted) => {
       while (element.stats.lightsSent !== wanted) {
         await new Promise(requestAnimationFrame);
       }

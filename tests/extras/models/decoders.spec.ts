@@ -6,6 +6,7 @@
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
 import {
+  type ViewerLocator,
   compare,
   expect,
   pixels,
@@ -16,7 +17,7 @@ import {
 } from '../../support/test.js';
 import { startSite, testMounts, wasmPolicy } from '../../support/site.js';
 import { dracoGlb } from '../../fuzz/models.js';
-import { type PhongViewer, settled } from '../../element/support/viewer.js';
+import { settled } from '../../element/support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const engine = '/assets/models/real/engine/2CylinderEngine.gltf';
@@ -37,9 +38,9 @@ async function shown(page: Page, markup: string): Promise<Locator> {
 }
 
 /** `load`, or the code and message of the error. */
-const outcomeOf = (viewer: Locator, src: string): Promise<string> =>
+const outcomeOf = (viewer: ViewerLocator, src: string): Promise<string> =>
   viewer.evaluate(
-    (element: PhongViewer, address) =>
+    (element, address) =>
       new Promise<string>((resolve) => {
         element.addEventListener('error', ({ detail }) =>
           resolve(`${detail.code}: ${detail.message}`),
@@ -51,8 +52,8 @@ const outcomeOf = (viewer: Locator, src: string): Promise<string> =>
   );
 
 /** A hash of each array of each geometry. */
-const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
-  viewer.evaluate((element: PhongViewer) => {
+const fingerprint = (viewer: ViewerLocator): Promise<readonly string[]> =>
+  viewer.evaluate((element) => {
     const found: string[] = [];
     element.scene.traverse((object) => {
       const { geometry } = object as { geometry?: BufferGeometry };
@@ -71,8 +72,8 @@ const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
     return found;
   });
 
-const loaded = (viewer: Locator): Promise<boolean> =>
-  viewer.evaluate((element: PhongViewer) => element.loaded);
+const loaded = (viewer: ViewerLocator): Promise<boolean> =>
+  viewer.evaluate((element) => element.loaded);
 
 /** Every worker that has started on the page. */
 function workersOf(page: Page): readonly string[] {
@@ -212,9 +213,7 @@ test.describe('a KTX2 texture', () => {
     const ofDecoder = (): number => requested.filter((url) => /ktx2-worker/.test(url)).length;
     await expect.poll(ofDecoder).toBe(2);
     same(await pixels(viewer), png);
-    const color = await viewer.evaluate(
-      async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color,
-    );
+    const color = await viewer.evaluate(async (element) => (await element.shadeAt(50, 40))?.color);
     expect(color?.map((channel) => Math.round(channel * 1e9) / 1e9)).toEqual([1, 0, 0]);
   });
 

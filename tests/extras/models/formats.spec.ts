@@ -4,7 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { wasmPolicy } from '../../support/site.js';
-import { expect, pixelAt, pixels, same, test } from '../../support/test.js';
+import { type ViewerLocator, expect, pixelAt, pixels, same, test } from '../../support/test.js';
 import {
   assign,
   type PhongMesh,
@@ -26,7 +26,7 @@ const viewerOf = (attributes: string, inner = ''): string =>
   `<phong-viewer ${straight} ${attributes}>${light}${inner}</phong-viewer>`;
 
 /** The colour at a point of the plane z = 0. */
-async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly number[]> {
+async function colorAt(viewer: ViewerLocator, x: number, y: number): Promise<readonly number[]> {
   const perUnit = 100 / (2 * Math.tan(Math.PI / 6));
   return [
     ...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit)),
@@ -64,8 +64,8 @@ const setFile = (element: Locator, blob = false): Promise<void> =>
   }, blob);
 
 /** Drops the page's files on the viewer. Returns whether the event was used. */
-const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
-  viewer.evaluate((element: PhongViewer) => {
+const dropFiles = (viewer: ViewerLocator): Promise<{ taken: boolean }> =>
+  viewer.evaluate((element) => {
     const dataTransfer = new DataTransfer();
     for (const file of Reflect.get(window, 'files') as File[]) {
       dataTransfer.items.add(file);
@@ -95,7 +95,7 @@ interface Outcome {
 }
 
 /** The load or error event that `act` causes. */
-async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<Outcome> {
+async function outcomeOf(viewer: ViewerLocator, act: () => Promise<unknown>): Promise<Outcome> {
   const events = await record(viewer, 'load', 'error');
   await act();
   const heard: Outcome[] = [];
@@ -105,7 +105,8 @@ async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<
   return heard[0]!;
 }
 
-const drop = (viewer: Locator): Promise<Outcome> => outcomeOf(viewer, () => dropFiles(viewer));
+const drop = (viewer: ViewerLocator): Promise<Outcome> =>
+  outcomeOf(viewer, () => dropFiles(viewer));
 
 test('an OBJ file shows the coefficients of its MTL file, and its texture the right way up', async ({
   mount,
@@ -152,7 +153,7 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
   const outcome = await outcomeOf(viewer, () => setFile(viewer));
   expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///my%20quad.glb', missing: [] } });
   const shown = await pixels(viewer);
-  const facts = await viewer.evaluate((element: PhongViewer) => {
+  const facts = await viewer.evaluate((element) => {
     const [file] = Reflect.get(window, 'files') as File[];
     const html = element.toHTML();
     return [
@@ -232,7 +233,7 @@ test.describe('a droppable viewer', () => {
       type: 'load',
       detail: { url: 'file:///quads.obj', missing: ['beside/textures/four colours.png'] },
     });
-    expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+    expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
   });
 
   test('names a broken file in a message until its button, Escape or the next file', async ({
@@ -263,9 +264,7 @@ test.describe('a droppable viewer', () => {
     expect(Math.min(box!.width, box!.height)).toBeGreaterThanOrEqual(24);
     await close!.click();
     await expect(notice!).toHaveCount(0);
-    expect(await viewer.evaluate((element: PhongViewer) => element.matches(':state(error)'))).toBe(
-      false,
-    );
+    expect(await viewer.evaluate((element) => element.matches(':state(error)'))).toBe(false);
 
     await fail();
     // The drop has moved the focus into the viewer. An Escape that it used does not reach a
@@ -323,7 +322,7 @@ test.describe('a droppable viewer', () => {
     await close.click();
     await expect.poll(() => sourceOf(viewer)).toBe(address);
     await settled(viewer);
-    expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+    expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
     same(await pixels(viewer), before);
     expect(loads.filter((url) => url.endsWith(address))).toEqual([]); // it was shown all the time
 
@@ -386,6 +385,6 @@ test.describe('a droppable viewer', () => {
     );
     await dropFiles(viewer);
     await settled(viewer);
-    expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');
+    expect(await viewer.evaluate((element) => element.src)).toBe('');
   });
 });

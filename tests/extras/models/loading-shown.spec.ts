@@ -3,7 +3,7 @@
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
-import { expect, type Mount, test } from '../../support/test.js';
+import { type ViewerLocator, expect, type Mount, test } from '../../support/test.js';
 import { assign, nextFrame, type PhongViewer, set, settled } from '../../element/support/viewer.js';
 
 const size = { width: 300, height: 200 };
@@ -63,7 +63,7 @@ async function slowDown(page: Page, sizeIsKnown = true): Promise<void> {
 }
 
 const slow = `${model}?slow`;
-const barOf = (viewer: Locator): Locator => viewer.getByRole('progressbar');
+const barOf = (viewer: ViewerLocator): Locator => viewer.getByRole('progressbar');
 const delayOver = (page: Page): Promise<void> =>
   page.evaluate(() => {
     for (const run of window.loads.timers.values()) {
@@ -74,7 +74,7 @@ const sendNext = async (page: Page): Promise<void> => {
   await page.waitForFunction(() => window.loads.send.length > 0);
   await page.evaluate(() => window.loads.send.shift()?.());
 };
-const sendAll = async (page: Page, viewer: Locator): Promise<void> => {
+const sendAll = async (page: Page, viewer: ViewerLocator): Promise<void> => {
   await sendNext(page);
   await sendNext(page);
   await settled(viewer);
@@ -93,7 +93,7 @@ const axeViolations = async (page: Page): Promise<string[]> => {
   const { violations } = await axeOn(page).include('phong-viewer').analyze();
   return violations.map(({ id }) => id);
 };
-const statesOf = (viewer: Locator): Promise<string[]> =>
+const statesOf = (viewer: ViewerLocator): Promise<string[]> =>
   viewer.evaluate((element) =>
     ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
   );
@@ -205,9 +205,7 @@ test('a browser without internals or custom states loads and shows everything', 
   ]) {
     await page.addInitScript(withdraw);
     const viewer = await mount(`<phong-viewer alt="A model" src="${model}"></phong-viewer>`, size);
-    expect(await viewer.evaluate((element: PhongViewer) => element.loaded), String(withdraw)).toBe(
-      true,
-    );
+    expect(await viewer.evaluate((element) => element.loaded), String(withdraw)).toBe(true);
   }
 });
 test('the first picture has all shapes but those that fail; the poster goes', async ({
@@ -233,7 +231,7 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   await expect(viewer.locator('[part=notice]')).toHaveText(/teapot/);
   await nextFrame(page);
   const shown = (): Promise<unknown> =>
-    viewer.evaluate(({ stats, shadowRoot }: PhongViewer) => ({
+    viewer.evaluate(({ stats, shadowRoot }) => ({
       frames: stats.frames,
       posters: shadowRoot!.querySelectorAll('[part=poster]').length,
     }));
@@ -325,7 +323,7 @@ test('the button of the message repeats what failed, and keeps the focus', async
   await page.keyboard.press('Enter');
   await settled(viewer);
   await expect(retry).toHaveCount(0);
-  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('phong-viewer');
   await page.emulateMedia({ media: null });
 });
@@ -347,7 +345,7 @@ test('invalid `texts` throw, or give a warning if set before the upgrade', async
       }
     }, texts);
     expect(error, JSON.stringify(texts)).toMatch(/^TypeError: <phong-viewer>\.texts: expected/);
-    expect(await viewer.evaluate((element: PhongViewer) => element.texts)).toEqual({
+    expect(await viewer.evaluate((element) => element.texts)).toEqual({
       'Try again': 'Nochmal',
     });
   }

@@ -3,7 +3,7 @@
 
 import { addressOf } from '../../support/animated-gltf.js';
 import { compare, expect, pixels, same, test } from '../../support/test.js';
-import { assign, type PhongViewer, record, set, settled } from '../../element/support/viewer.js';
+import { assign, record, set, settled } from '../../element/support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
@@ -14,13 +14,13 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const empty = await pixels(viewer);
   const events = await record(viewer, 'progress', 'load', 'error');
-  const loadedAtOnce = await viewer.evaluate((element: PhongViewer, src) => {
+  const loadedAtOnce = await viewer.evaluate((element, src) => {
     element.src = src;
     return element.loaded;
   }, bunny);
   expect(loadedAtOnce).toBe(false);
   await settled(viewer);
-  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
   await expect.poll(async () => (await pixels(viewer)).data.some((code) => code > 0)).toBe(true);
   expect(compare(await pixels(viewer), empty).share).toBeGreaterThan(0.1);
   const heard = await events.take();
@@ -131,7 +131,7 @@ test('moving a viewer loads nothing again', async ({ page, mount }) => {
   );
   const before = await pixels(viewer);
   const requests = requestsOf(page);
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     element.remove();
     await element.ready;
     element.append(document.createElement('phong-light'));

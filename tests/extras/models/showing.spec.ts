@@ -1,8 +1,8 @@
 // Does a picture stay until the next one can be shown? Failed allocations, drawing that throws,
 // downloads of removed viewers. Also: when does `loaded` become true?
 
-import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, same, test } from '../../support/test.js';
+import type { Page } from '@playwright/test';
+import { type ViewerLocator, compare, expect, pixels, same, test } from '../../support/test.js';
 import {
   assign,
   nextFrame,
@@ -47,8 +47,8 @@ const limitMemory = (page: Page): Promise<void> =>
 
 const giveMemoryBack = (page: Page): Promise<void> => page.evaluate(() => window.giveMemoryBack());
 
-const shows = (viewer: Locator): Promise<boolean> =>
-  viewer.evaluate((element: PhongViewer) => element.loaded);
+const shows = (viewer: ViewerLocator): Promise<boolean> =>
+  viewer.evaluate((element) => element.loaded);
 
 /** Makes the typed array with this number fail, counted from now on over all types. */
 const failArray = (page: Page, failing: number): Promise<void> =>
@@ -222,7 +222,7 @@ test('a broken own object of the page is not blamed on a mesh added with it', as
   consoleGuard.allow(/uncaught: .*broken/);
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const events = await record(viewer, 'error');
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.geometry = 'box';
     element.scene.onBeforeRender = () => {
       throw new Error('broken');
@@ -231,7 +231,7 @@ test('a broken own object of the page is not blamed on a mesh added with it', as
   });
   await nextFrame(page);
   expect(await events.take()).toEqual([]);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.scene.onBeforeRender = () => undefined;
     element.requestRender();
     return element.ready;
@@ -300,7 +300,7 @@ test('a viewer that moves within a task goes on with its download', async ({ pag
     waitForReady: false,
   });
   await expect.poll(() => asked.length).toBe(1);
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     element.remove();
     await Promise.resolve();
     document.querySelector('aside')?.append(element);
@@ -338,7 +338,7 @@ test('loaded becomes true once shapes are drawn, without a load event', async ({
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const events = await record(viewer, 'load');
   expect(await shows(viewer)).toBe(false);
-  const steps = await viewer.evaluate(async (element: PhongViewer) => {
+  const steps = await viewer.evaluate(async (element) => {
     element.geometry = 'box';
     const atOnce = element.loaded;
     await element.ready;

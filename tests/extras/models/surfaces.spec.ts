@@ -3,10 +3,8 @@
 
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf } from '../../support/repeats.js';
-import { expect, pixelAt, pixels, test } from '../../support/test.js';
+import { type ViewerLocator, expect, pixelAt, pixels, test } from '../../support/test.js';
 import { comparedWithPicture, errorOf, isClear, show } from '../explain/shade-at-support.js';
-import { type PhongViewer } from '../../element/support/viewer.js';
-import type { Locator } from '@playwright/test';
 
 const LIGHTS = `
   <phong-light position="0.5 1 2 0" ambient="60 50 40" diffuse="120 110 100" specular="90 100 110"></phong-light>
@@ -22,8 +20,8 @@ const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
   </phong-viewer>`;
 
 /** The result of shadeAt for the pixel in the middle. */
-const middle = (viewer: Locator) =>
-  viewer.evaluate(async (element: PhongViewer) => {
+const middle = (viewer: ViewerLocator) =>
+  viewer.evaluate(async (element) => {
     const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } =
       (await element.shadeAt(80, 60))!;
     return { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum };
@@ -192,7 +190,7 @@ test('colours are mixed in the light that the file and the viewer ask for, and e
         `<phong-viewer src="${src}" ka="255" theta="0" phi="90" target="0 0 0" radius="3" shading="${shading}" color-interpolation="${color}">
           <phong-light ambient="255" diffuse="0" specular="0"></phong-light></phong-viewer>`,
       );
-      const [red, green, explained] = await viewer.evaluate(async (element: PhongViewer) => {
+      const [red, green, explained] = await viewer.evaluate(async (element) => {
         const { width, height } = element.getBoundingClientRect();
         const bitmap = await createImageBitmap(await element.toBlob());
         const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
@@ -215,7 +213,12 @@ test('colours are mixed in the light that the file and the viewer ask for, and e
 test.describe('by the rules of demo/guide/models.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 
-  const shown = async (viewer: Locator, options: PatchOptions, attributes = '', mesh = '') => {
+  const shown = async (
+    viewer: ViewerLocator,
+    options: PatchOptions,
+    attributes = '',
+    mesh = '',
+  ) => {
     await show(viewer, viewerOf(options, attributes, mesh));
     return middle(viewer);
   };

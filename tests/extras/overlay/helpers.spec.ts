@@ -2,7 +2,7 @@
 // located by role and name, as a screen reader does.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, same, test } from '../../support/test.js';
+import { type ViewerLocator, compare, expect, pixels, same, test } from '../../support/test.js';
 import { field, opened } from '../panel/panel-rows.js';
 import {
   assign,
@@ -28,19 +28,19 @@ const spot =
   '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
 
 /** The handle whose name begins with this. */
-const handle = (viewer: Locator, name: string): Locator =>
+const handle = (viewer: ViewerLocator, name: string): Locator =>
   viewer.getByRole('option', { name: new RegExp(`^${name}`) });
 
 const light = (
-  viewer: Locator,
+  viewer: ViewerLocator,
   index = 0,
 ): Promise<Pick<PhongLight, 'position' | 'axis' | 'aperture'>> =>
-  viewer.evaluate((element: PhongViewer, i) => {
+  viewer.evaluate((element, i) => {
     const { position, axis, aperture } = element.lights.at(i)!;
     return { position, axis, aperture };
   }, index);
 
-const positionOf = async (viewer: Locator, index = 0): Promise<PhongLight['position']> =>
+const positionOf = async (viewer: ViewerLocator, index = 0): Promise<PhongLight['position']> =>
   (await light(viewer, index)).position;
 /** The lamp's. */
 const START = [0.5, 0.4, 0, 1];
@@ -185,7 +185,7 @@ test.describe('a light in the picture', () => {
     };
     const pool = Math.tan(Math.PI / 6);
     await expect.poll(offset).toBeCloseTo((200 * 2 * pool) / 4, 0);
-    await viewer.evaluate((element: PhongViewer) => (element.meshes[0]!.position = [0, 1, 0]));
+    await viewer.evaluate((element) => (element.meshes[0]!.position = [0, 1, 0]));
     await expect.poll(offset).toBeCloseTo((200 * pool) / 3, 0);
   });
 
@@ -289,10 +289,13 @@ test.describe('helpers throw nothing and stay usable', () => {
   for (const [what, act] of [
     [
       'its light is removed',
-      (viewer: Locator) => viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove()),
+      (viewer: ViewerLocator) => viewer.evaluate((element) => element.lights[0]!.remove()),
     ],
-    ['the viewer is removed', (viewer: Locator) => viewer.evaluate((element) => element.remove())],
-    ['the helpers are switched off', (viewer: Locator) => assign(viewer, { helpers: [] })],
+    [
+      'the viewer is removed',
+      (viewer: ViewerLocator) => viewer.evaluate((element) => element.remove()),
+    ],
+    ['the helpers are switched off', (viewer: ViewerLocator) => assign(viewer, { helpers: [] })],
   ] as const) {
     test(`where ${what} in the middle of a drag`, async ({ page, mount }) => {
       const viewer = await mount(scene(lamp + sun));
@@ -321,7 +324,7 @@ test.describe('helpers throw nothing and stay usable', () => {
     mount,
   }) => {
     const viewer = await mount(scene(lamp));
-    await viewer.evaluate((element: PhongViewer) =>
+    await viewer.evaluate((element) =>
       element.addEventListener('error', (event) => event.preventDefault()),
     );
     const [x, y] = await hold(page, handle(viewer, 'lamp'), -20, 0);
@@ -391,7 +394,7 @@ test.describe('a viewer with helpers', () => {
     );
     await expect(viewer.getByRole('listbox')).toBeVisible();
     const work = () =>
-      viewer.evaluate(async (element: PhongViewer) => {
+      viewer.evaluate(async (element) => {
         const { frames } = element.stats;
         const changes: MutationRecord[] = [];
         const observer = new MutationObserver((records) => changes.push(...records));
@@ -483,10 +486,10 @@ test.describe('a viewer with helpers', () => {
   }) => {
     const viewer = await mount(scene(lamp + sun));
     await handle(viewer, 'lamp').focus();
-    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await viewer.evaluate((element) => element.lights[0]!.remove());
     await expect(handle(viewer, 'sun')).toBeFocused();
     await page.keyboard.press('Enter');
-    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await viewer.evaluate((element) => element.lights[0]!.remove());
     await expect(viewer).toBeFocused();
     await expect(viewer.getByRole('listbox')).toBeHidden();
   });
@@ -494,7 +497,7 @@ test.describe('a viewer with helpers', () => {
   test('goes on with a drag while the light before it is removed', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp + sun));
     const [x, y] = await hold(page, handle(viewer, 'sun'), 5, 5);
-    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await viewer.evaluate((element) => element.lights[0]!.remove());
     await nextFrame(page);
     const before = await positionOf(viewer);
     await page.mouse.move(x + 20, y + 10);

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { patch, type Texel } from '../../support/gltf.js';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
 import {
   assign,
@@ -26,30 +26,28 @@ const LIGHTS = `
 const scene = (attributes = 'probe', lights = LIGHTS): string =>
   `<phong-viewer geometry="sphere" segments="64" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>${lights}</phong-viewer>`;
 
-const box = (viewer: Locator): Locator => viewer.locator('[part=probe]');
-const codes = (viewer: Locator): Locator => viewer.locator('[part=probe] .codes');
-const cursor = (viewer: Locator): Locator => viewer.locator('.probe > .cursor');
-const labels = (viewer: Locator): Promise<string[]> =>
+const box = (viewer: ViewerLocator): Locator => viewer.locator('[part=probe]');
+const codes = (viewer: ViewerLocator): Locator => viewer.locator('[part=probe] .codes');
+const cursor = (viewer: ViewerLocator): Locator => viewer.locator('.probe > .cursor');
+const labels = (viewer: ViewerLocator): Promise<string[]> =>
   viewer.locator('.probe > svg text').allTextContents();
 
 /** The red, green and blue that shadeAt gives for this place. */
-const colorAt = (viewer: Locator, x: number, y: number): Promise<readonly number[]> =>
-  viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color, [
-    x,
-    y,
-  ] as const);
+const colorAt = (viewer: ViewerLocator, x: number, y: number): Promise<readonly number[]> =>
+  viewer.evaluate(async (element, at) => (await element.shadeAt(...at))!.color, [x, y] as const);
 
 /** The expected codes of the box for this place. */
-const expected = async (viewer: Locator, x: number, y: number): Promise<string> =>
+const expected = async (viewer: ViewerLocator, x: number, y: number): Promise<string> =>
   (await colorAt(viewer, x, y)).map((c) => (255 * c).toFixed(0)).join(' ');
 
 /** The middle of the cross-hair. */
-async function cursorPlace(viewer: Locator): Promise<readonly [x: number, y: number]> {
+async function cursorPlace(viewer: ViewerLocator): Promise<readonly [x: number, y: number]> {
   const { x, width, y, height } = (await cursor(viewer).boundingBox())!;
   return [x + width / 2, y + height / 2];
 }
 
-const unpin = (viewer: Locator): Locator => box(viewer).getByRole('button', { name: 'Unpin' });
+const unpin = (viewer: ViewerLocator): Locator =>
+  box(viewer).getByRole('button', { name: 'Unpin' });
 
 const escape = (page: Page): Promise<void> => page.keyboard.press('Escape');
 
@@ -69,7 +67,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     await assign(viewer.locator('phong-light').first(), { diffuse: [10, 200, 10] });
     await expect(codes(viewer)).not.toHaveText(before!);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330.5, 260));
-    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await viewer.evaluate((element) => element.lights[0]!.remove());
     await expect(box(viewer).locator('tbody tr')).toHaveCount(1);
     await page.mouse.move(5, 5);
     await expect(box(viewer)).toBeHidden();
@@ -89,7 +87,7 @@ test.describe('a mouse over a viewer with a probe', () => {
       .locator('td:not([data-column="…"]) bdi')
       .allTextContents();
     const { ambient, diffuse, specular, att } = await viewer.evaluate(
-      async (element: PhongViewer) => (await element.shadeAt(280, 130))!.shares[1]!,
+      async (element) => (await element.shadeAt(280, 130))!.shares[1]!,
     );
     const triple = (color: readonly number[]): string =>
       color.every((c) => c === 0) ? '0' : color.map((c) => (255 * c).toFixed(0)).join(' ');
@@ -223,7 +221,7 @@ test.describe('`probe-at`', () => {
     await expect(codes(viewer)).toHaveText(declared);
     await page.mouse.click(330, 150);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
-    expect(await viewer.evaluate((element: PhongViewer) => element.probeAt)).toEqual([0, 0, 0.5]);
+    expect(await viewer.evaluate((element) => element.probeAt)).toEqual([0, 0, 0.5]);
     expect(await viewer.getAttribute('probe-at')).toBe('0 0 0.5');
     await escape(page);
     await expect(codes(viewer)).toHaveText(declared);
@@ -249,9 +247,7 @@ test.describe('`probe-at`', () => {
     await page.mouse.click(330, 150);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
     const shown = await codes(viewer).textContent();
-    const p = await viewer.evaluate(
-      async (element: PhongViewer) => (await element.shadeAt(330, 150))!.p,
-    );
+    const p = await viewer.evaluate(async (element) => (await element.shadeAt(330, 150))!.p);
     const written = await html();
     const numbers = pointIn(written)!.split(' ').map(Number);
     p.forEach((x, i) => expect(numbers[i]).toBeCloseTo(x, 6));
@@ -381,7 +377,7 @@ test.describe('the box', () => {
     for (const width of [
       240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690,
     ]) {
-      await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
+      await viewer.evaluate((element, px) => (element.style.width = `${px}px`), width);
       await nextFrame(page);
       await expect(box(viewer).getByRole('table')).toBeVisible();
       const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
@@ -402,13 +398,13 @@ test.describe('the box', () => {
       expect(name, `${width}: the name`).toBeGreaterThan(20);
     }
     // Lights that share a row are counted in it, in long words too.
-    await viewer.evaluate(async (element: PhongViewer, texts) => {
+    await viewer.evaluate(async (element, texts) => {
       element.texts = (await import(texts)).default;
       element.insertAdjacentHTML('beforeend', element.innerHTML + element.innerHTML);
       element.style.height = '300px';
     }, '/dist/texts/pt.js');
     for (const width of [320, 400, 600, 900]) {
-      await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
+      await viewer.evaluate((element, px) => (element.style.width = `${px}px`), width);
       await nextFrame(page);
       const cut = await box(viewer)
         .locator('.others button')
@@ -533,7 +529,7 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
   await nextFrame(page);
   expect(await events.evaluate((list) => list.length), 'nothing is shown').toBe(count);
   // A listener that changes the viewer causes one event a frame.
-  const changes = viewer.evaluate(async (element: PhongViewer) => {
+  const changes = viewer.evaluate(async (element) => {
     let changed = 0;
     element.addEventListener('probe-change', () => (element.alt = String((changed += 1))));
     element.probeAt = [0, 0, 0.5];
@@ -551,7 +547,7 @@ test('the arrows are in a picture file on request, at its size and for the scene
 }) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
   await expect(box(viewer)).toBeVisible();
-  const [without, inside] = await viewer.evaluate(async (element: PhongViewer) => {
+  const [without, inside] = await viewer.evaluate(async (element) => {
     const size = { width: 300, height: 200 };
     const pixels = async (helpers: boolean): Promise<Uint8ClampedArray> => {
       const context = new OffscreenCanvas(300, 200).getContext('2d')!;
@@ -586,7 +582,7 @@ test('explains the first and the last of many events at a time, and draws no pic
   const viewer = await mount(scene());
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
-  const { shown, expected, times, frames } = await viewer.evaluate(async (element: PhongViewer) => {
+  const { shown, expected, times, frames } = await viewer.evaluate(async (element) => {
     const { shadeAt, stats } = element;
     let times = 0;
     element.shadeAt = (x, y) => {
@@ -632,7 +628,7 @@ test('never throws when lights, meshes and the viewer are removed under the mous
   const viewer = await mount(`${scene()}${scene('probe probe-at="0 0 0.5"')}`);
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
-  await viewer.evaluate((element: PhongViewer) => element.replaceChildren());
+  await viewer.evaluate((element) => element.replaceChildren());
   await page.mouse.move(281, 130);
   await expect(box(viewer).locator('tbody th')).toHaveText(['head-light']);
   await assign(viewer, { geometry: null });
@@ -640,7 +636,7 @@ test('never throws when lights, meshes and the viewer are removed under the mous
   await page.mouse.move(282, 130);
   await assign(viewer, { geometry: 'box', radius: 0.1 });
   await page.mouse.move(283, 130);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.probeAt = [0, 0, 0];
     element.remove();
   });
@@ -655,7 +651,7 @@ test('follows the mouse on a mesh of 100,000 triangles without sorting it again'
   const viewer = await mount(scene('probe').replace('segments="64"', 'segments="320"'));
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
-  const read = await viewer.evaluate(async (element: PhongViewer) => {
+  const read = await viewer.evaluate(async (element) => {
     const mesh = element.scene.getObjectByProperty('isMesh', true) as unknown as {
       geometry: { index: { count: number; getX(i: number): number } };
     };

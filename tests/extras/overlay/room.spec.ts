@@ -4,15 +4,9 @@
 import type { Locator, Page } from '@playwright/test';
 import { decodePng, pixelAt } from '../../support/picture.js';
 import { firstOf } from '../../support/repeats.js';
-import { allReady, expect, type Mount, test } from '../../support/test.js';
+import { type ViewerLocator, allReady, expect, type Mount, test } from '../../support/test.js';
 import { field, opened, panelOf, titleOf } from '../panel/panel-rows.js';
-import {
-  assign,
-  cameraOf,
-  drag,
-  nextFrame,
-  type PhongViewer,
-} from '../../element/support/viewer.js';
+import { assign, cameraOf, drag, nextFrame } from '../../element/support/viewer.js';
 
 const LIGHTS = `
   <phong-light name="sun" position="-1 1.4 1.2 0" ambient="120" diffuse="190" specular="150"></phong-light>
@@ -47,7 +41,7 @@ async function laidOut(page: Page): Promise<void> {
   await nextFrame(page);
 }
 
-const setWidth = (viewer: Locator, width: number): Promise<unknown> =>
+const setWidth = (viewer: ViewerLocator, width: number): Promise<unknown> =>
   viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
 
 test.describe('the probe between the dividers of a comparison', () => {
@@ -139,7 +133,7 @@ test.describe('the probe between the dividers of a comparison', () => {
 });
 
 /** The names that a box covers, and the boxes that cover each other or leave the picture. */
-const clashes = (viewer: Locator): Promise<string[]> =>
+const clashes = (viewer: ViewerLocator): Promise<string[]> =>
   viewer.evaluate((element) => {
     const root = element.shadowRoot!;
     const whole = element.getBoundingClientRect();
@@ -249,7 +243,7 @@ test('a notice keeps clear of the panel, and has a border in forced colours', as
 });
 
 test.describe('text over the picture', () => {
-  const sizes = (viewer: Locator): Promise<string[]> =>
+  const sizes = (viewer: ViewerLocator): Promise<string[]> =>
     viewer.evaluate((element) =>
       ['[part=legend]', '[part=probe]', 'text[part=light-name]', '.lil-root'].map(
         (part) => getComputedStyle(element.shadowRoot!.querySelector(part)!).fontSize,
@@ -313,7 +307,8 @@ test.describe('text over the picture', () => {
 });
 
 test.describe('an open panel', () => {
-  const picture = (viewer: Locator): Promise<Rect> => rectOf(viewer.locator('[part=surface]'));
+  const picture = (viewer: ViewerLocator): Promise<Rect> =>
+    rectOf(viewer.locator('[part=surface]'));
 
   async function withPanel(page: Page, mount: Mount, width: number): Promise<Locator> {
     const viewer = await mount(ball('gui'), { width });
@@ -417,7 +412,7 @@ test.describe('a legend', () => {
     await assign(viewer, { view: 'normals' });
     await nextFrame(page);
     await assign(viewer, { view: 'attenuation' });
-    const codes = await viewer.evaluate(async (element: PhongViewer) => {
+    const codes = await viewer.evaluate(async (element) => {
       const blob = await element.toBlob({ width: 50, height: 50, type: 'image/jpeg' });
       const context = new OffscreenCanvas(50, 50).getContext('2d')!;
       context.drawImage(await createImageBitmap(blob), 0, 0);

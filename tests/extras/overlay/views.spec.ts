@@ -3,7 +3,15 @@
 
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
-import { compare, expect, pixelAt, pixels, same, test } from '../../support/test.js';
+import {
+  type ViewerLocator,
+  compare,
+  expect,
+  pixelAt,
+  pixels,
+  same,
+  test,
+} from '../../support/test.js';
 import { choice, flag, opened, button, panelOf } from '../panel/panel-rows.js';
 import {
   assign,
@@ -24,10 +32,10 @@ const lights = `
 const scene = (attributes: string): string =>
   `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
 
-const legendOf = (viewer: Locator): Locator => viewer.locator('.legend');
+const legendOf = (viewer: ViewerLocator): Locator => viewer.locator('.legend');
 
 /** Title and lights of the legend, and the marks of its scale. */
-const legendText = async (viewer: Locator): Promise<string[]> => {
+const legendText = async (viewer: ViewerLocator): Promise<string[]> => {
   const legend = legendOf(viewer);
   const texts = await legend.locator('p:not(:empty), .legend-marks').allTextContents();
   return texts.map((text) => text.trim());
@@ -74,9 +82,7 @@ test('`ready` and `toBlob` wait for the view, and leaving it restores the pictur
   const viewer = await mount(scene('view="normals"'), SIZE);
   // The middle of the sphere faces the eye: no shade of these lights has as much blue.
   const [r, g, b] = pixelAt(await pixels(viewer), 150, 120);
-  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) =>
-    eye.map((x) => x / radius),
-  );
+  const back = await viewer.evaluate(({ camera: { eye, radius } }) => eye.map((x) => x / radius));
   expect(
     [r, g, b].map((code) => code / 127.5 - 1).every((x, i) => Math.abs(x - back[i]!) < 0.02),
   ).toBe(true);
@@ -128,9 +134,7 @@ test('follows lights that are renamed, switched off, added and removed', async (
   // Without a name it is the first active light.
   await set(viewer, { viewLight: null });
   expect(await legendText(viewer)).toContain('sun');
-  await viewer.evaluate((element: PhongViewer) =>
-    element.lights.forEach((one) => (one.active = false)),
-  );
+  await viewer.evaluate((element) => element.lights.forEach((one) => (one.active = false)));
   await settled(viewer);
   expect(await legendText(viewer)).toContain('no light is active');
   expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
@@ -218,7 +222,7 @@ test('is restored after the element was removed, and after its context was lost'
   /** Takes the viewer off the page, for a task or within one, and back with this view. */
   const comeBack = (view: PhongViewer['view'], pause: boolean): Promise<unknown> =>
     viewer.evaluate(
-      async (element: PhongViewer, [next, waits]) => {
+      async (element, [next, waits]) => {
         const parent = element.parentNode!;
         element.remove();
         if (waits) {
@@ -265,13 +269,13 @@ test('a name that no light has is black with a warning; a later light shows', as
     expect(await brightest(), view).toBe(0);
   }
   await nextFrame(page);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.lights[1]!.name = 'lampe';
     return element.ready;
   });
   expect(await brightest()).toBeGreaterThan(100);
   // Lights that come in the same task or its microtasks, as frameworks add them, are no mistake.
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     element.viewLight = 'late';
     await Promise.resolve();
     element.append(Object.assign(document.createElement('phong-light'), { name: 'late' }));
@@ -307,18 +311,13 @@ test('the markup keeps the view, and the panel writes and follows it', async ({
   await flag(folder, 'show axes').click();
   await flag(folder, 'probe').click();
   const values = () =>
-    viewer.evaluate(({ view, viewLight, helpers, probe }: PhongViewer) => [
-      view,
-      viewLight,
-      helpers,
-      probe,
-    ]);
+    viewer.evaluate(({ view, viewLight, helpers, probe }) => [view, viewLight, helpers, probe]);
   expect(await values()).toEqual(['normals', 'light 3', ['axes'], true]);
   for (let step = 0; step < 4; step++) {
     await button(panelOf(viewer), 'undo').click();
   }
   expect(await values()).toEqual(['decay', 'lamp', [], false]);
-  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'torch'));
+  await viewer.evaluate((element) => (element.lights[1]!.name = 'torch'));
   const names = ['all, or the first', 'sun', 'torch', 'light 3', 'lamp'];
   await expect(choice(folder, 'view light').locator('option')).toHaveText(names);
   await expect.poll(() => warnings.length).toBe(1);

@@ -2,7 +2,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, cameraOf, drag, type PhongViewer } from '../../element/support/viewer.js';
+import { assign, cameraOf, drag } from '../../element/support/viewer.js';
 import { readyTexts } from '../../support/texts.js';
 
 const de = readyTexts('de');
@@ -86,7 +86,7 @@ test('looks as the value asks: switch, choice, colour, component, stepper throug
   await page.getByRole('checkbox', { name: 'orbit' }).uncheck();
   await page.getByRole('button', { name: 'the sum back' }).click();
   expect(
-    await viewer.evaluate(({ shading, orbit, terms, lights, meshes }: PhongViewer) => [
+    await viewer.evaluate(({ shading, orbit, terms, lights, meshes }) => [
       shading,
       orbit,
       terms,

@@ -71,9 +71,7 @@ test('sets field of view and auto-rotate, and shows the present camera after a m
   const theta = field(folder, 'θ azimuth °');
   await field(folder, 'fov °').fill('60');
   await field(folder, 'auto-rotate').fill('10');
-  expect(await viewer.evaluate(({ fov, autoRotate }: PhongViewer) => [fov, autoRotate])).toEqual([
-    60, 10,
-  ]);
+  expect(await viewer.evaluate(({ fov, autoRotate }) => [fov, autoRotate])).toEqual([60, 10]);
   const first = await theta.inputValue();
   await expect.poll(() => theta.inputValue()).not.toBe(first);
   await assign(viewer, { autoRotate: 0, fov: 30 });

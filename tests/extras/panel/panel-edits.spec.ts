@@ -2,14 +2,13 @@
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import {
   assign,
   cameraOf,
   drag,
   type PhongLight,
   type PhongMesh,
-  type PhongViewer,
   htmlOf,
 } from '../../element/support/viewer.js';
 import {
@@ -32,12 +31,12 @@ const scene = `<phong-viewer gui geometry="box" theta="20" phi="60">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
 </phong-viewer>`;
 
-const names = (viewer: Locator): Promise<string[]> =>
-  viewer.evaluate((element: PhongViewer) => element.lights.map(({ name }) => name));
-const undo = (viewer: Locator): Promise<void> => button(panelOf(viewer), 'undo').click();
-const redo = (viewer: Locator): Promise<void> => button(panelOf(viewer), 'redo').click();
-const lamp = (viewer: Locator): Promise<Pick<PhongLight, 'diffuse' | 'position' | 'name'>> =>
-  viewer.evaluate((element: PhongViewer) => {
+const names = (viewer: ViewerLocator): Promise<string[]> =>
+  viewer.evaluate((element) => element.lights.map(({ name }) => name));
+const undo = (viewer: ViewerLocator): Promise<void> => button(panelOf(viewer), 'undo').click();
+const redo = (viewer: ViewerLocator): Promise<void> => button(panelOf(viewer), 'redo').click();
+const lamp = (viewer: ViewerLocator): Promise<Pick<PhongLight, 'diffuse' | 'position' | 'name'>> =>
+  viewer.evaluate((element) => {
     const { diffuse, position, name } = element.lights.find(({ id }) => id === 'lamp')!;
     return { diffuse, position, name };
   });
@@ -132,7 +131,7 @@ test.describe('undo', () => {
     await undo(viewer);
     await undo(viewer);
     expect(await cameraOf(viewer)).toEqual(dragged);
-    expect(await viewer.evaluate(({ theta }: PhongViewer) => theta)).toBe(20);
+    expect(await viewer.evaluate(({ theta }) => theta)).toBe(20);
   });
 
   test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, not in text fields', async ({
@@ -191,7 +190,7 @@ test.describe('lights', () => {
     await button(folder, 'duplicate').click();
     expect(await names(viewer)).toEqual(['sun', 'lamp', 'lamp 2', 'spot']);
     await expect(titleOf(viewer, 'lamp 2')).toBeFocused();
-    const copy = await viewer.evaluate((element: PhongViewer) => {
+    const copy = await viewer.evaluate((element) => {
       const { id, parentElement, diffuse, position } = element.lights[2]!;
       return { id, parent: parentElement?.id, diffuse, position };
     });
@@ -242,9 +241,7 @@ test('meshes are renamed, duplicated, reordered and removed', async ({ mount }) 
     <phong-mesh geometry="sphere" name="ball"></phong-mesh></phong-viewer>`);
   await opened(viewer, 'Meshes');
   const meshes = () =>
-    viewer.evaluate((element: PhongViewer) =>
-      element.meshes.map(({ name, geometry }) => [name, geometry]),
-    );
+    viewer.evaluate((element) => element.meshes.map(({ name, geometry }) => [name, geometry]));
   const cube = await opened(viewer, 'cube');
   await button(cube, 'duplicate').click();
   await field(folderOf(viewer, 'cube 2'), 'name').fill('die');
@@ -282,16 +279,12 @@ test('a model file can be chosen for a mesh and for the viewer', async ({
   };
   await choose('choose model file…');
   await expect(titleOf(viewer, 'textured.glb')).toBeVisible();
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  await expect.poll(() => viewer.evaluate((element) => element.loaded)).toBe(true);
   const html = await htmlOf(viewer);
   expect(html).toContain('src="textured.glb"');
   await expect(folder).toBeHidden();
   await undo(viewer);
-  expect(
-    await viewer.evaluate((element: PhongViewer) => (element.meshes[0] as PhongMesh).src),
-  ).toBe('');
+  expect(await viewer.evaluate((element) => (element.meshes[0] as PhongMesh).src)).toBe('');
   await choose('open model…');
-  await expect
-    .poll(() => viewer.evaluate((element: PhongViewer) => element.src instanceof File))
-    .toBe(true);
+  await expect.poll(() => viewer.evaluate((element) => element.src instanceof File)).toBe(true);
 });

@@ -2,8 +2,8 @@
 // element shows in the row.
 
 import type { Locator } from '@playwright/test';
-import { expect, test } from '../../support/test.js';
-import { assign, drag, type PhongLight, type PhongViewer } from '../../element/support/viewer.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
+import { assign, drag, type PhongLight } from '../../element/support/viewer.js';
 import {
   button,
   choice,
@@ -25,7 +25,7 @@ const sun = '<phong-light name="sun" position="1 1 1 0"></phong-light>';
 const spot =
   '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
 
-const lightOf = (viewer: Locator, name: string): Locator =>
+const lightOf = (viewer: ViewerLocator, name: string): Locator =>
   viewer.locator(`phong-light[name=${name}]`);
 
 const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
@@ -41,7 +41,7 @@ test('has a folder for each light, in order, which stays as it is while others c
   const before = await folderOf(viewer, 'sun').elementHandle();
   await assign(lightOf(viewer, 'spot'), { name: 'beam' });
   await expect.poll(titles).toEqual(['sun', 'light 2', 'beam']);
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.prepend(element.lights[1]!);
     element.lights.find(({ name }) => name === 'beam')!.remove();
     element.append(document.createElement('phong-light'));
@@ -82,7 +82,7 @@ test('writes every attribute of a light through its properties', async ({ mount 
   }
   await field(folder, 'name').fill('beam');
   await expect(titleOf(viewer, 'beam')).toBeVisible();
-  expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]!.name)).toBe('beam');
+  expect(await viewer.evaluate((element) => element.lights[0]!.name)).toBe('beam');
 });
 
 test('shows changes of attributes and properties', async ({ mount }) => {
@@ -255,7 +255,7 @@ test('an added light can be edited at once; a removed one gives the focus to the
     'light 3',
   );
   await button(folderOf(viewer, 'Lights'), 'add light').click();
-  const added = await viewer.evaluate((element: PhongViewer) =>
+  const added = await viewer.evaluate((element) =>
     element.lights
       .slice(2)
       .map(({ localName, position, active }) => ({ localName, position, active })),

@@ -1,14 +1,13 @@
 // Do the folders for shading, for the viewer's own material and for its meshes work?
 
-import type { Locator } from '@playwright/test';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import { type PhongMesh, type PhongViewer } from '../../element/support/viewer.js';
 import { button, choice, field, flag, opened, picker, slider } from './panel-rows.js';
 
 const own = '<phong-viewer gui geometry="box" kd="200 0 0"></phong-viewer>';
 
-const valuesOf = (viewer: Locator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
-  viewer.evaluate((element: PhongViewer, names) => names.map((name) => element[name]), keys);
+const valuesOf = (viewer: ViewerLocator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
+  viewer.evaluate((element, names) => names.map((name) => element[name]), keys);
 
 test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({
   mount,

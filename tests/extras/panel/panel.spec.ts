@@ -2,9 +2,8 @@
 // picture, removed again.
 
 import { readFileSync } from 'node:fs';
-import type { Locator } from '@playwright/test';
 import { markupIn } from '../../../src/extras/png/index.js';
-import { expect, test } from '../../support/test.js';
+import { type ViewerLocator, expect, test } from '../../support/test.js';
 import { countEverything, spentIn } from '../../element/support/counting.js';
 import {
   assign,
@@ -21,7 +20,7 @@ const light = (name: string): string =>
 const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
   `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
 
-const openFolders = (viewer: Locator): Promise<string[]> =>
+const openFolders = (viewer: ViewerLocator): Promise<string[]> =>
   panelOf(viewer)
     .locator('> .lil-children > .lil-gui > .lil-title[aria-expanded=true]')
     .filter({ visible: true })
@@ -44,7 +43,7 @@ test('has folders, of which the listed ones are open, and one for meshes if ther
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
   expect(await openFolders(viewer)).toEqual(['Shading']);
   await expect(button(viewer, 'open model…')).toBeVisible();
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.geometry = null;
     element.append(document.createElement('phong-mesh'));
   });
@@ -65,11 +64,11 @@ test('a list of attributes shows their rows in its order, and warns of others', 
   await expect(rows.locator('.lil-name')).toHaveText(['spot: cutoff', 'shininess', 'θ azimuth °']);
   expect(await titlesIn(panelOf(viewer))).toEqual([]);
   await expect(panelOf(viewer).getByRole('button')).toHaveText(['Controls']);
-  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'lamp'));
+  await viewer.evaluate((element) => (element.lights[1]!.name = 'lamp'));
   await expect(rows.first().locator('.lil-name')).toHaveText('lamp: cutoff');
   await slider(viewer, 'shininess').press('ArrowRight');
-  expect(await viewer.evaluate(({ shininess }: PhongViewer) => shininess)).toBeGreaterThan(32);
-  await viewer.evaluate((element: PhongViewer) => {
+  expect(await viewer.evaluate(({ shininess }) => shininess)).toBeGreaterThan(32);
+  await viewer.evaluate((element) => {
     element.theta = -70;
     element.lights[1]!.remove();
     Object.assign(element.lights[0]!, { position: [0, 1, 0, 1], cutoff: 3 });
@@ -162,7 +161,7 @@ test('removes everything when gui is removed, and comes back, also while its cod
       };
     });
   const without = await census();
-  await viewer.evaluate(async (element: PhongViewer) => {
+  await viewer.evaluate(async (element) => {
     for (const gui of [true, false, true, true]) {
       element.gui = gui;
       await element.updateComplete;
@@ -333,7 +332,7 @@ test('requests no frame and no timer while nothing changes, folders open', async
 test('refreshes once for many writes in one task', async ({ mount }) => {
   const viewer = await mount(lit);
   const folder = await opened(viewer, 'sun');
-  const reads = await viewer.evaluate(async (element: PhongViewer) => {
+  const reads = await viewer.evaluate(async (element) => {
     const light = element.lights[0]!;
     const place = element.shadowRoot!.querySelector('.lil-root')!;
     let changes = 0;

@@ -6,7 +6,7 @@ import { expect, settled, snapshot } from '../../support/built-playwright.js';
 import type { PhongViewer } from '../../element/support/viewer.js';
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
-import { test } from '../../support/test.js';
+import { type ViewerLocator, test } from '../../support/test.js';
 import { assign } from '../../element/support/viewer.js';
 
 const SIZE = { width: fullOr(105, 54), height: fullOr(70, 36) };
@@ -19,7 +19,7 @@ const LIGHTS = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 
 const CLOSE = `<phong-viewer geometry="box" radius="1.3">${LIGHTS}</phong-viewer>`;
 
 /** The matcher's message for a picture that it refuses. */
-async function refusal(viewer: Locator, options: object = {}): Promise<string> {
+async function refusal(viewer: ViewerLocator, options: object = {}): Promise<string> {
   try {
     await expect(viewer).toShowTheEquation(options);
   } catch (error) {
@@ -29,9 +29,15 @@ async function refusal(viewer: Locator, options: object = {}): Promise<string> {
 }
 
 /** Adds this to a channel of one pixel of every later picture. */
-const spoil = (viewer: Locator, x: number, y: number, channel: number, by: number): Promise<void> =>
+const spoil = (
+  viewer: ViewerLocator,
+  x: number,
+  y: number,
+  channel: number,
+  by: number,
+): Promise<void> =>
   viewer.evaluate(
-    (element: PhongViewer, at) => {
+    (element, at) => {
       const draw = element.toBlob.bind(element);
       element.toBlob = async (options) => {
         const bitmap = await createImageBitmap(await draw(options));
@@ -49,12 +55,12 @@ const spoil = (viewer: Locator, x: number, y: number, channel: number, by: numbe
 
 /** Every later picture is that of the viewer with these attributes, or moved to the right. */
 const giveFault = (
-  viewer: Locator,
+  viewer: ViewerLocator,
   attributes: Readonly<Record<string, string>>,
   moved = 0,
 ): Promise<void> =>
   viewer.evaluate(
-    async (element: PhongViewer, fault) => {
+    async (element, fault) => {
       const wrong = element.cloneNode(true) as PhongViewer;
       for (const [name, value] of Object.entries(fault.attributes)) {
         (wrong.querySelector(`[${name}]`) ?? wrong).setAttribute(name, value);
@@ -331,7 +337,7 @@ test.describe('settled', () => {
       },
     );
     await settled(viewer);
-    const { loaded, programs } = await viewer.evaluate((element: PhongViewer) => ({
+    const { loaded, programs } = await viewer.evaluate((element) => ({
       loaded: element.loaded,
       programs: element.stats.programs,
     }));
@@ -378,7 +384,7 @@ test.describe('snapshot', () => {
     const dense = await mount(markup, { ...SIZE, deviceScaleFactor: 2 });
     expect(plain.equals(await snapshot(dense))).toBe(true);
     const moved = await mount(markup.replace('40', '39'), SIZE);
-    await moved.evaluate(async (element: PhongViewer) => {
+    await moved.evaluate(async (element) => {
       for (let i = 0; i < 25; i++) {
         element.theta = 39 + i / 10;
         await new Promise(requestAnimationFrame);

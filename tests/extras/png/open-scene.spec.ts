@@ -6,7 +6,7 @@ import { linkTo } from '../../support/site-pages.js';
 import { markupIn } from '../../../src/extras/png/index.js';
 import { withMarkup } from '../../../src/extras/png/chunks.js';
 import { allReady, expect, test } from '../../support/test.js';
-import { htmlOf, type PhongViewer, settled } from '../../element/support/viewer.js';
+import { htmlOf, settled } from '../../element/support/viewer.js';
 
 const plain = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
 const holding = (markup: string): Uint8Array => withMarkup(plain.slice(), markup);
@@ -50,11 +50,11 @@ test('a saved picture is the scene again, as one step of undo', async ({ page, m
   await page.keyboard.press('ControlOrMeta+y');
   await expect.poll(() => htmlOf(viewer)).toBe(after);
   // What toBlob writes opens again.
-  const blob = await viewer.evaluate(async (element: PhongViewer) => [
+  const blob = await viewer.evaluate(async (element) => [
     ...new Uint8Array(await (await element.toBlob({ markup: true })).arrayBuffer()),
   ]);
   expect(await markupIn(Uint8Array.from(blob))).toBe(after);
-  const bare = await viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
+  const bare = await viewer.evaluate(async (element) => (await element.toBlob()).size);
   expect(blob.length).toBeGreaterThan(bare);
 });
 
@@ -69,7 +69,7 @@ test('a picture without a scene is a sentence in the page’s language, and can 
   await expect(notice).toHaveText(
     'The picture holds no scene: only PNG files that a viewer saved do. (scene.png)',
   );
-  await viewer.evaluate((element: PhongViewer) => {
+  await viewer.evaluate((element) => {
     element.texts = { 'no-scene': 'Keine Szene. ({message})' };
   });
   await expect(notice).toHaveText(/^Keine Szene\. \(The picture/);
