@@ -117,7 +117,10 @@ function addPictures(accuracy, width, top, add) {
     const x = i * (side + gap);
     const { error = 0 } =
       pointsOf(accuracy, way).find(({ exponent }) => exponent === PICTURED.exponent) ?? {};
-    add('image', { x, y: top + 10, width: side, height: side, href: png });
+    const box = { x: x + 0.5, y: top + 10.5, width: side, height: side };
+    add('image', { ...box, href: png });
+    // An error may be as white as the page.
+    add('rect', { ...box, fill: 'none', stroke: 'var(--quiet)' });
     const label = WAYS.find((one) => one.way === way)?.label ?? way;
     // On a phone.
     add(

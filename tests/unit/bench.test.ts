@@ -43,6 +43,8 @@ test('every chart is an SVG that the report shows, with its series and pictures 
     for (const text of named) {
       expect(svg.includes(`>${text}</text>`), file).toBe(true);
     }
+    const frames = svg.match(/<rect [^>]*fill="none" height="170"/g)?.length;
+    expect(svg.match(/<image /g)?.length, file).toBe(frames);
     expect([svg.includes('NaN'), report.includes(`](charts/${file})`)], file).toEqual([
       false,
       true,
