@@ -167,6 +167,10 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
     if (defined.length < DEFINED * cases.length) return [];
   }
+  // Else a form that this task does not show would explain them all.
+  const isExplained = ({ colors, wrong }: Judged): boolean =>
+    wrong.some((i) => !isUndefined(colorAt(colors, i)));
+  if (!judged.some(isExplained)) return [];
   const areClamped = judged.every(isClamped);
   // Suns shine from a few directions, which do not tell one edge of a cone from another.
   const isEdgeSeen = judged.some(({ cases }) =>
