@@ -175,9 +175,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
       terms,
       kinds:
         kinds ??
-        KINDS.filter((kind) =>
-          snapshot.lights.some(({ values }) => values.active && kindOf(values) === kind),
-        ),
+        // Without those that are off any function would be right.
+        KINDS.filter((kind) => snapshot.lights.some(({ values }) => kindOf(values) === kind)),
       reflection: viewer.reflection,
     };
     const own = await pointsOf(snapshot, task, signal);

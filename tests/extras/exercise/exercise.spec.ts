@@ -84,13 +84,20 @@ test('wrong functions are named by the mistake in their code', async ({ mount, p
   expect(missed).toEqual([]);
 });
 
-test('functions that are wrong in an unusual way get no name', async ({ mount, page }) => {
+test('functions that are wrong in an unusual way get no name, and are not right without light', async ({
+  mount,
+  page,
+}) => {
   test.setTimeout(240_000);
   const one = await mountOne(page, mount);
   for (const [name, source] of firstOf(Object.entries(UNUSUAL_ONES), 4)) {
     const { right, mistakes } = await checkOf(one, source);
     expect({ name, right, mistakes }).toEqual({ name, right: false, mistakes: [] });
   }
+  await page
+    .locator('phong-light')
+    .evaluateAll((lights) => lights.forEach((light) => light.setAttribute('active', 'false')));
+  expect((await checkOf(one, UNUSUAL_ONES['black']!)).right).toBe(false);
 });
 
 test('what cannot run says why, at its line, and what was written stays', async ({
