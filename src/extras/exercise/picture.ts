@@ -66,10 +66,8 @@ function* pixelPoints(
   // All surfaces of a viewer are shaded in one space.
   const linear = scene.objects.some(({ phong }) => phong?.linear === true);
   const lamps = lights
-    .filter(({ values }) => values.active)
-    .map(({ values }) => lampOf(values, world, axes, linear))
-    .filter((lamp) => task.kinds.includes(kindOf(lamp)))
-    .map((lamp) => only(task.terms, lamp));
+    .filter(({ values }) => values.active && task.kinds.includes(kindOf(values)))
+    .map(({ values }) => only(task.terms, lampOf(values, world, axes, linear)));
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
       yield;

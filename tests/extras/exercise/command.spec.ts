@@ -63,3 +63,11 @@ test('a line for each submission, in words and as CSV, and a status', async ({},
   expect(wrong.status).toBe(2);
   expect(wrong.lines).toEqual(['There is no file in. See phong-viewer check --help.']);
 });
+
+test('a page without its script names the missing file @release', async ({}, { outputDir }) => {
+  mkdirSync(outputDir, { recursive: true });
+  writeFileSync(join(outputDir, 'sheet.html'), PAGE);
+  const { status, lines } = await run(outputDir, 'sheet.html', 'sheet.html');
+  expect(status).toBe(2);
+  expect(lines[0]).toMatch(/no phong-exercise\. There is no file .*phong-viewer\.standalone\.js\./);
+});

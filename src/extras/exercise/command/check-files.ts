@@ -26,7 +26,7 @@ interface Result {
   readonly share: number;
   /** Why there is no verdict; empty where there is one. */
   readonly fault: string;
-  /** The first wrong pixel: x, y, and both colours; empty where there is none. */
+  /** The first wrong pixel: x, y, and both colours; four empty texts where there is none. */
   readonly pixel: readonly (number | string)[];
 }
 
@@ -92,7 +92,7 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   return isWell ? 0 : 1;
 }
 
-const NOTHING = { right: false, mistakes: [], share: 0, pixel: [] } as const;
+const NOTHING = { right: false, mistakes: [], share: 0, pixel: ['', '', '', ''] } as const;
 
 async function launch(executablePath: string | undefined): Promise<Browser> {
   const playwright = await import('@playwright/test').catch(() => {
@@ -114,10 +114,15 @@ const isFile = (path: string): boolean =>
 async function openExercise(browser: Browser, file: string, selector: string): Promise<Locator> {
   const root = resolve(file).startsWith(resolve() + sep) ? resolve() : dirname(resolve(file));
   const page = await browser.newPage();
+  const missing: string[] = [];
   await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
     const path = resolve(root, `.${decodeURIComponent(pathname)}`);
-    await route.fulfill(path.startsWith(root + sep) && isFile(path) ? { path } : { status: 404 });
+    const isThere = path.startsWith(root + sep) && isFile(path);
+    if (!isThere) {
+      missing.push(` There is no file ${path}.`);
+    }
+    await route.fulfill(isThere ? { path } : { status: 404 });
   });
   await page.goto(`${ORIGIN}/${relative(root, file).split(sep).map(encodeURIComponent).join('/')}`);
   const exercise = page.locator(selector).first();
@@ -125,7 +130,7 @@ async function openExercise(browser: Browser, file: string, selector: string): P
     // It may be in a part of the page that is closed.
     await exercise.locator('textarea').waitFor({ state: 'attached', timeout: 20_000 });
   } catch {
-    throw new Error(`The page shows no ${selector}.`);
+    throw new Error(`The page shows no ${selector}.${missing[0] ?? ''}`);
   }
   return exercise;
 }
@@ -155,8 +160,8 @@ async function runInPage(element: Element, source: string): Promise<Result> {
     const found = root.querySelector<HTMLCanvasElement>(canvas);
     return found?.getContext('2d')?.getImageData(0, 0, found.width, found.height);
   });
-  let pixel: Result['pixel'] = [];
-  for (let i = 0; own && exact && pixel.length === 0 && i < own.data.length; i += 4) {
+  let pixel: Result['pixel'] = ['', '', '', ''];
+  for (let i = 0; own && exact && pixel[0] === '' && i < own.data.length; i += 4) {
     const [found, asked] = [own, exact].map(({ data }) => Array.from(data.slice(i, i + 3)));
     if (found!.some((code, k) => Math.abs(code - asked![k]!) > 1)) {
       const at = i / 4;
@@ -169,18 +174,17 @@ async function runInPage(element: Element, source: string): Promise<Result> {
 function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
   if (fault !== '') return `${file}: ${fault}`;
   const [x, y, found, exact] = pixel;
-  const where = right || pixel.length === 0 ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
+  const where = right || x === '' ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
   const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
   return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where}`;
 }
 
 function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
-  const [x = '', y = '', found = '', exact = ''] = pixel;
-  return [file, right, mistakes.join(' '), share.toFixed(4), x, y, found, exact, fault]
+  return [file, right, mistakes.join(' '), share.toFixed(4), ...pixel, fault]
     .map((cell) => {
       // A spreadsheet would run what begins so.
-      const text = String(cell).replace(/^(?=[=+@-])/, "'");
-      return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+      const text = String(cell).replace(/^(?=[=+@\t\r-])/, "'");
+      return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
     })
     .join(',');
 }
