@@ -276,15 +276,16 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   const isNear = (x: number): boolean =>
     Math.abs(value - x) <= (0.5 * unit + SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
   /** Digits that would fit many numbers. */
-  const isCoarse = (x: number): boolean =>
-    Math.abs(value - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
+  const isCoarse = (x: number, by = 0.5): boolean =>
+    Math.abs(value - x) > UNSEEN && by * unit > 0.1 * Math.abs(x) + 0.001;
   // A bare 0 or 1 is an answer, not a rounded one.
   if (isNear(expected) && !([0, 1].includes(value) && isCoarse(expected))) {
     const correct = !isCoarse(expected);
     const text = phrase(texts, correct ? NO_MISTAKE : 'Right so far: give more digits.');
     return { value, correct, mistake: correct ? null : 'digits', text };
   }
-  const wrong = diagnosis(number, isNear, question);
+  // One digit meets one of the many mistakes by chance in every fifth answer.
+  const wrong = diagnosis(number, (x) => isNear(x) && !isCoarse(x, 1), question);
   if (wrong !== null) return { value, correct: false, mistake: wrong.mistake, text: wrong.text };
   if (value > 1 && expected <= 1) {
     return { value, correct: false, mistake: 'above-full', text: phrase(texts, 'Here 1 is full.') };

@@ -167,6 +167,23 @@ it('names the mistake that was made, or none, in over 200 answers (seed 56)', ()
   expect(named / answers, `${named} of ${answers}`).toBeGreaterThan(0.6);
 });
 
+it('explains an answer of one digit only where it is exact (seed 58)', () => {
+  fc.assert(
+    fc.property(GIVEN, fc.constantFrom('0.2', '0.5', '0.7', '1', '2', '3'), (given, typed) => {
+      for (const equation of asked(given).slice(0, -1)) {
+        const question = questionOf(equation, 0);
+        const { mistake, text } = judge(typed, question, null);
+        if (mistake === null || ['digits', 'above-full'].includes(mistake)) continue;
+        const isExact = question.wrongs.some(
+          (wrong) => wrong.text === text && Math.abs(wrong.value - Number(typed)) < 0.001,
+        );
+        expect(isExact, `${typed} for ${question.expected}: ${text}`).toBe(true);
+      }
+    }),
+    { seed: 58, numRuns: repeats(800) },
+  );
+});
+
 it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, percent, fractions and powers', () => {
   const lamp = { position: [0, 1, -1, 0], ambient: grey(51), diffuse: grey(204) } as const;
   for (const equation of asked({ lights: [lamp] }).slice(0, -1)) {
