@@ -15,8 +15,7 @@ declare global {
   }
 }
 
-const viewer = (attributes = ''): string =>
-  `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
+const viewer = (attributes = '') => `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
 
 /** Waits until all warnings so far have been printed. */
 async function reported(page: Page): Promise<void> {
@@ -34,7 +33,7 @@ test('viewers without an alt are reported once, after the first picture', async 
   await page.addInitScript(() => {
     addEventListener('render', () => (window.firstPicture ??= performance.now()), true);
   });
-  const startOfCheck = (): Promise<number | undefined> =>
+  const startOfCheck = () =>
     page.evaluate(
       () =>
         performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))

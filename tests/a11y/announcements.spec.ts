@@ -1,12 +1,11 @@
 // What is announced to a screen reader, where it takes layout? Only what the user did, once the
 // motion has ended; unit/elements/announcements.test.ts has keys, the wheel and scripts.
 
-import type { Locator } from '@playwright/test';
 import { type ViewerLocator, expect, test } from '../support/test.js';
 import { opened } from '../extras/panel/panel-rows.js';
 import { assign, drag } from '../element/support/viewer.js';
 
-const scene = (attributes = ''): string =>
+const scene = (attributes = '') =>
   `<phong-viewer alt="A box" geometry="box" theta="30" phi="70" radius="4" ${attributes}>
     <phong-light name="sun" position="1 2 3 0"></phong-light><phong-light name="lamp" position="1 2 3 1"></phong-light>
   </phong-viewer>`;
@@ -14,7 +13,7 @@ const scene = (attributes = ''): string =>
 /** Longer than the pause before an announcement. */
 const A_WHILE = 1500;
 
-const region = (viewer: ViewerLocator): Locator => viewer.locator('.reader > [aria-live]');
+const region = (viewer: ViewerLocator) => viewer.locator('.reader > [aria-live]');
 
 test('a drag is announced politely, with the resulting camera; auto-rotate is not', async ({
   page,

@@ -6,7 +6,7 @@ import { drag, nextFrame } from '../element/support/viewer.js';
 import { accessibleNodes } from './tree.js';
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px }';
-const viewer = (alt: string, attributes = ''): string =>
+const viewer = (alt: string, attributes = '') =>
   `<phong-viewer geometry="box" alt="${alt}" ${attributes}></phong-viewer>`;
 
 test('a comparison has its viewers and their divider as named Tab stops, in order', async ({

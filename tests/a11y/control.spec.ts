@@ -5,7 +5,7 @@ import { expect, test } from '../support/test.js';
 
 const scene = `<phong-viewer id="v" alt="A torus" geometry="torus"><phong-light id="spot" position="0 2 0"
   aperture="30" cutoff="8"></phong-light></phong-viewer>`;
-const of = (attributes: string, label = ''): string =>
+const of = (attributes: string, label = '') =>
   `<phong-control ${attributes}>${label}</phong-control>`;
 const all = [
   of('for="spot" attribute="aperture"'),

@@ -69,7 +69,7 @@ for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#f
     const colorAt = await screenshot(viewer);
     const behind = colorAt(2, 2);
     /** The best contrast along the line of pixels across the middle of a shape. */
-    const across = async (shape: Locator, beside = 0): Promise<number> => {
+    const across = async (shape: Locator, beside = 0) => {
       const { x, y, width, height } = (await shape.boundingBox())!;
       const length = width + 2 * beside;
       const line = Array.from({ length }, (_, i) => colorAt(x - beside + i, y + height / 2));

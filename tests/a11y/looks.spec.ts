@@ -3,7 +3,7 @@
 
 import { expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support/viewer.js';
-import { contrast, type Rgb, screenshot } from './contrast.js';
+import { contrast, screenshot } from './contrast.js';
 
 /** WCAG 2.2, 1.4.11: parts that are needed to understand a control stand out by this ratio. */
 const CONTRAST = 3;
@@ -39,7 +39,7 @@ for (const media of [
         [0, 1],
       ] as const) {
         /** The colour at this distance from the edge on that side. */
-        const from = (edge: number): Rgb =>
+        const from = (edge: number) =>
           at(40 + x * (40 - edge) - (x > 0 ? 1 : 0), 30 + y * (30 - edge) - (y > 0 ? 1 : 0));
         const ring = [from(1), from(3)] as const;
         expect(contrast(...ring), `the ring's two colours on ${picture}`).toBeGreaterThanOrEqual(

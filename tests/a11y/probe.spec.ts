@@ -2,20 +2,18 @@
 // written from right to left?
 
 import { axeOn } from '../support/axe.js';
-import type { Locator } from '@playwright/test';
 import { type ViewerLocator, expect, test } from '../support/test.js';
 import { assign, nextFrame, pointerAway } from '../element/support/viewer.js';
 
-const scene = (attributes = 'probe'): string =>
+const scene = (attributes = 'probe') =>
   `<main><phong-viewer alt="A sphere" geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>
     <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36"></phong-light>
     <phong-light name="lamp" position="0.9 0.5 0.6 1" diffuse="#d98c46"></phong-light>
   </phong-viewer></main>`;
 
-const region = (viewer: ViewerLocator): Locator => viewer.locator('.probe [aria-live]');
-const box = (viewer: ViewerLocator): Locator => viewer.getByRole('group', { name: 'Probe' });
-const cursor = (viewer: ViewerLocator): Locator =>
-  viewer.getByRole('application', { name: 'Probe' });
+const region = (viewer: ViewerLocator) => viewer.locator('.probe [aria-live]');
+const box = (viewer: ViewerLocator) => viewer.getByRole('group', { name: 'Probe' });
+const cursor = (viewer: ViewerLocator) => viewer.getByRole('application', { name: 'Probe' });
 
 test('the cross-hair has a name, a role and described keys, and its values are announced', async ({
   page,
@@ -133,7 +131,7 @@ test('from right to left all begins at the right edge, each sum under its column
   expect(x + width).toBeGreaterThan(980);
   await expect(viewer.getByRole('table').locator('bdi').first()).toHaveCSS('direction', 'ltr');
   /** How far these texts are from the edge of the elements around them, at most. */
-  const gap = (texts: string, side: 'left' | 'right'): Promise<number> =>
+  const gap = (texts: string, side: 'left' | 'right') =>
     page.locator(texts).evaluateAll((all, edge) => {
       const text = document.createRange();
       const gaps = all.map((one) => {

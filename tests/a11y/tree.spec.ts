@@ -12,12 +12,12 @@ const lamp =
   '<phong-light name="lamp" position="2 0.5 -1.2345 1" diffuse="255 204 136"></phong-light>';
 const spot =
   '<phong-light position="0 3 3 1" axis="0 -1 -1" aperture="20" active="false" space="camera"></phong-light>';
-const viewer = (attributes: string, inner = sun): string =>
+const viewer = (attributes: string, inner = sun) =>
   `<phong-viewer geometry="box" ${attributes}>${inner}</phong-viewer>`;
 const fixed = 'orbit="false" zoom="false"';
 
 const application = (page: Page) => accessibleNode(page, 'application');
-const description = async (page: Page): Promise<string> => (await application(page)).description;
+const description = async (page: Page) => (await application(page)).description;
 
 test('a page of viewers and comparisons breaks no rule of axe', async ({
   page,
@@ -85,7 +85,7 @@ test('only keys with an effect are listed; without any, a viewer is an image, no
   mount,
 }) => {
   const element = await mount(`${viewer('alt="A box" zoom="false"')}<a href="#next">Next</a>`);
-  const keys = async (): Promise<unknown> => (await application(page)).properties['keyshortcuts'];
+  const keys = async () => (await application(page)).properties['keyshortcuts'];
   expect(await keys()).toBe('ArrowLeft ArrowRight ArrowUp ArrowDown Home');
   expect(await description(page)).toMatch(/^Arrow keys rotate. Home resets/);
   await assign(element, { orbit: false, zoom: true });
@@ -119,7 +119,7 @@ test('aria-labelledby, aria-label, alt name the picture, in this order; stops ha
 }) => {
   const names = 'aria-labelledby="one" aria-label="Label" alt="A box"';
   const element = await mount(`<h1 id="one">Heading</h1>${viewer(names)}`);
-  const name = async (): Promise<string> => (await application(page)).name;
+  const name = async () => (await application(page)).name;
   expect(await name()).toBe('Heading');
   for (const [attribute, next] of [
     ['aria-labelledby', 'Label'],

@@ -53,7 +53,7 @@ test('@release the standalone file is about as large as a bundle of plain three.
 });
 
 test('@release a bundled app is not larger than measured, and smaller with the standalone file', async () => {
-  const bundled = async (file: string): Promise<number> =>
+  const bundled = async (file: string) =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
   // Measured: 177.6 kB, and 125.9 kB. Of the former three.js's renderer is 105 kB, Lit 5, the elements
   // 59, and 8 are classes that only GLTFLoader imports: bundlers do not split three.core.js.
@@ -111,7 +111,7 @@ test('core and reference are one file each, and reference does not import three.
   const { csp = '', head = '' } = usages.modules;
   const importMap = head.replace(/<script type="module".*/, '');
   await page.goto(site.page('', { csp, head: importMap }));
-  const load = (name: string): Promise<string[]> =>
+  const load = (name: string) =>
     page.evaluate(async (entry) => Object.keys((await import(entry)) as object), name);
   expect(await load('phong-viewer/reference')).toContain('shade');
   expect(requests.take()).toEqual(['reference.js']);

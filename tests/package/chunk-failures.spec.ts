@@ -98,7 +98,7 @@ for (const usage of ['standalone', 'modules'] as const) {
       [/\/panel/, [{ gui: true }, { gui: true }, { gui: true }], '.lil-root'],
       [/\/legend/, [{ view: 'normals' }, { view: 'decay' }], '.legend:has-text("Decay")'],
     ] as const) {
-      const show = (given: object): Promise<number> =>
+      const show = (given: object) =>
         viewer.evaluate(async (element: PhongViewer, all) => {
           Object.assign(element, all);
           await element.ready;
@@ -131,7 +131,7 @@ test('a later attempt of the standalone file uses another address', async ({
     return asked.length < 2 ? route.abort() : route.continue();
   });
   const outcome = await page.locator('phong-viewer').evaluate(async (viewer: PhongViewer) => {
-    const blob = (): Promise<string> =>
+    const blob = () =>
       viewer.toBlob({ width: 8, height: 8 }).then(
         () => 'blob',
         () => 'error',
@@ -148,7 +148,7 @@ test('no chunk that a use imports, and imports again after a failure, is also im
   const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map(
     (path) => readFileSync(join(outputFolder('dist'), path), 'utf8'),
   );
-  const imported = (pattern: RegExp): Set<string> =>
+  const imported = (pattern: RegExp) =>
     new Set(codes.flatMap((code) => [...code.matchAll(pattern)].map(([, name]) => name ?? '')));
   const asParts = imported(/\bfrom\s*["'`]\.\/([^"'`]+)/g);
   // The address of a second attempt: code that is only requested early has none, and its failure is

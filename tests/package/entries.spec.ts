@@ -81,7 +81,7 @@ test.describe('the packed package', () => {
   test('contains every file that its exports name', () => {
     const present = packedFiles().map(({ path }) => `./${path}`);
     // One `*` stands for any language.
-    const isThere = (name: string): boolean => {
+    const isThere = (name: string) => {
       const [start = '', end] = name.split('*');
       return present.some((path) =>
         end === undefined ? path === name : path.startsWith(start) && path.endsWith(end),
@@ -151,7 +151,7 @@ test.describe('the entries in Node', () => {
 const FOR_STILLS = /^(three(\/|$)|node:|parse5$|fflate$|jpeg-js$|pngjs)/;
 
 test.describe('dist/', () => {
-  const scripts = (): { path: string; text: string }[] =>
+  const scripts = () =>
     readdirSync(dist, { recursive: true, encoding: 'utf8' })
       .filter((path) => path.endsWith('.js'))
       .map((path) => ({ path, text: readFileSync(join(dist, path), 'utf8') }));
@@ -164,8 +164,7 @@ test.describe('dist/', () => {
   test('keeps three, Lit, lil-gui and React out of the ES modules and inside the files for pages without a bundler', () => {
     const statement =
       /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
-    const imports = (text: string): string[] =>
-      Array.from(text.matchAll(statement), (match) => match[1]!);
+    const imports = (text: string) => Array.from(text.matchAll(statement), (match) => match[1]!);
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
       if (/^(phong-viewer\.|chunks)/.test(path)) {
@@ -186,7 +185,7 @@ test.describe('dist/', () => {
 
   test("gives 'use client' to servers that render React components alone: bundlers warn of it", () => {
     for (const entry of ['react', 'react-standalone', 'react-lazy']) {
-      const code = (name: string): string => readFileSync(join(dist, `${name}.js`), 'utf8');
+      const code = (name: string) => readFileSync(join(dist, `${name}.js`), 'utf8');
       const client = new RegExp(
         `^'use client';\\nexport \\{ (Phong\\w+, )+PhongViewer \\} from './${entry}\\.js';\\n$`,
       );

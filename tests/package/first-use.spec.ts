@@ -122,7 +122,7 @@ for (const usage of ['standalone', 'modules'] as const) {
       await act(viewer, page);
       // Requests may start after the call. Two frames later no further one may have started.
       const late = new Set<string>();
-      const came = (): string => {
+      const came = () => {
         for (const path of requests.take()) {
           if (chunkName(path) !== WITH_OTHERS) {
             late.add(chunkName(path));

@@ -10,7 +10,7 @@ import { repository } from '../support/repository.mjs';
 const dist = outputFolder('dist');
 
 /** The first comment of a file below dist/; empty where it begins with code. */
-const notice = (path: string): string =>
+const notice = (path: string) =>
   /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
 
 function version(name: string): string {
@@ -18,7 +18,7 @@ function version(name: string): string {
   return (JSON.parse(text) as { version: string }).version;
 }
 
-const licences = (): string => readFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
+const licences = () => readFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
 
 for (const name of ['three', '@lit/reactive-element', 'lil-gui']) {
   test(`THIRD-PARTY-LICENSES.txt holds the licence of ${name} with its version`, () => {
@@ -42,7 +42,7 @@ test('THIRD-PARTY-LICENSES.txt holds the licences of the decoders in three, and 
 });
 
 test('every bundle that contains code of others begins with a notice that names it', () => {
-  const chunk = (folder: string, name: string): string =>
+  const chunk = (folder: string, name: string) =>
     `${folder}/${readdirSync(join(dist, folder)).find((file) => file.startsWith(name) && file.endsWith('.js'))}`;
   const expected: readonly (readonly [path: string, holders: readonly RegExp[]])[] = [
     ['phong-viewer.standalone.js', [/three\.js authors/, /Google LLC/]],

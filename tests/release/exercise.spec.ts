@@ -17,7 +17,7 @@ interface Check {
 }
 
 /** What the verdict is, or why there is none. */
-const checkOf = (tab: Tab, source: string): Promise<string> =>
+const checkOf = (tab: Tab, source: string) =>
   tab.run(async (text) => {
     await customElements.whenDefined('phong-exercise');
     const exercise = document.querySelector<HTMLElement & { value: string }>('phong-exercise')!;
@@ -40,7 +40,7 @@ const checkOf = (tab: Tab, source: string): Promise<string> =>
   }, source);
 
 inEachBrowser(900_000, (open) => {
-  const openMarkup = (): Promise<Tab> =>
+  const openMarkup = () =>
     open(markup, {
       csp: strictPolicy,
       head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',

@@ -68,7 +68,7 @@ function isWhole(copy: string, file: string, seen = new Set<string>()): boolean 
   });
 }
 
-const exportsOf = (copy: string): object =>
+const exportsOf = (copy: string) =>
   (JSON.parse(readFileSync(join(copy, 'package.json'), 'utf8')) as { readonly exports: object })
     .exports;
 

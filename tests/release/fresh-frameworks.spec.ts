@@ -24,12 +24,12 @@ interface Framework {
   readonly sent?: readonly string[];
 }
 
-const appOf = (script: string): string =>
+const appOf = (script: string) =>
   pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
 
 const vite = ['three', '@types/three', 'typescript', 'vite'];
 
-const typescript = (options: object, more: object = {}): string =>
+const typescript = (options: object, more: object = {}) =>
   JSON.stringify({ compilerOptions: { ...strictOptions, ...options }, include: ['src'], ...more });
 
 const vue: Framework = {

@@ -8,7 +8,7 @@ import { startSite } from '../support/site.js';
 import { expect, test } from '../support/test.js';
 import { freshProject } from './fresh-project.js';
 
-const spec = (address: string): string => `
+const spec = (address: string) => `
 import { test } from '@playwright/test';
 import { expect, settled, snapshot } from 'phong-viewer/playwright';
 

@@ -29,7 +29,7 @@ for (const count of [1, 2]) {
       );
       const viewers = page.locator('phong-viewer');
       const notices = viewers.locator('[part=notice]');
-      const pictures = async (): Promise<Picture[]> => {
+      const pictures = async () => {
         const all: Picture[] = [];
         for (const viewer of await viewers.all()) {
           await viewer.evaluate((element: PhongViewer) => element.ready);

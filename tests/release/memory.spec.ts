@@ -46,7 +46,7 @@ function gridGlb(side: number, normals: boolean): Buffer {
   }
   const up = positions.map((_, i) => (i % 3 === 2 ? 1 : 0));
   const gltf = new Gltf();
-  const list = (values: Float32Array): number =>
+  const list = (values: Float32Array) =>
     gltf.accessor(values, { componentType: 5126, count: row * row, type: 'VEC3' });
   gltf.addPrimitive({ POSITION: list(positions), ...(normals && { NORMAL: list(up) }) }, indices);
   return Buffer.from(gltf.glb());

@@ -11,7 +11,7 @@ import { manifest, strictOptions, useFreshProject } from './fresh-project.js';
 import { repository } from '../support/repository.mjs';
 
 /** Light number `i` of many: all light up a plane seen from above. */
-const lamp = (_: unknown, i: number): string =>
+const lamp = (_: unknown, i: number) =>
   `<phong-light position="${(i % 20) - 10} 3 ${(i >> 4) - 10} 1" diffuse="${i % 7} 9 ${i % 5}" specular="1" attenuation="1 0.3 0.1"></phong-light>`;
 
 const many = Array.from({ length: 300 }, lamp).join('');
@@ -77,7 +77,7 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
       for (const id of ['few', 'many', 'model']) {
         const viewer = page.locator(`#${id}`);
         const [width, height] = [300, 150];
-        const check = async (): Promise<void> => {
+        const check = async () => {
           const picture = await pixels(viewer, { width, height });
           for (const [x, y] of PLACES) {
             const color = await viewer.evaluate(

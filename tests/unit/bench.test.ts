@@ -64,7 +64,7 @@ test('a limit is missed where even the better quartile lies beyond it', () => {
   const about = { stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] as const };
   const result: BenchResult = { ...about, measures: [], failures: [] };
   const subject = 'script, toggling one of 5,000 lights';
-  const took = (element: number): void =>
+  const took = (element: number) =>
     addSamples(result, subject, 'script per frame', 'µs', { element });
   took(2400.04);
   expect(result.measures[0]!.samples).toEqual({ element: [2400] }); // rounded to four digits

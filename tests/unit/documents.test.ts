@@ -26,7 +26,7 @@ const documents = execFileSync(
 const forUsers = documents.filter((path) => /^(README|CHANGELOG|demo\/guide\/.*)\.md$/.test(path));
 const decisions = documents.filter((path) => path.startsWith('src/decisions/'));
 
-const read = (path: string): string => readFileSync(join(repository, path), 'utf8');
+const read = (path: string) => readFileSync(join(repository, path), 'utf8');
 
 const anchorsOf = (path: string): readonly string[] =>
   Array.from(read(path).matchAll(/^#+ (.+)$/gm), ([, heading = '']) => anchorOf(heading));
@@ -79,7 +79,7 @@ describe('the documents', () => {
       .filter((entry) => entry.isDirectory())
       .map(({ name }) => `extras/${name}`);
     for (const folder of ['phong', 'viewer', 'extras', ...extras]) {
-      const isOfAnExtra = (line: string): boolean => /^\| \[\w+\]\(\w+\/README\.md\)/.test(line);
+      const isOfAnExtra = (line: string) => /^\| \[\w+\]\(\w+\/README\.md\)/.test(line);
       const text = read(`src/${folder}/README.md`).split('\n');
       const lines = text.filter((line) => !isOfAnExtra(line)).length;
       expect([folder, lines >= 10 && lines <= 30]).toEqual([folder, true]);
@@ -94,7 +94,7 @@ describe('the documents', () => {
   });
 
   it('are short: 15,000 words for users, 900 of them in the README', () => {
-    const words = (path: string): number => read(path).trim().split(/\s+/).length;
+    const words = (path: string) => read(path).trim().split(/\s+/).length;
     const sum = [...forUsers].map(words).reduce((total, count) => total + count);
     expect(words('README.md')).toBeLessThanOrEqual(950);
     expect(words('CHANGELOG.md')).toBeLessThanOrEqual(420);
@@ -113,7 +113,7 @@ describe('the documents', () => {
     const shipped = ['README.md', 'LICENSE', ...files].map(
       (pattern) => new RegExp(`^${pattern.replaceAll('.', '\\.').replaceAll('*', '[^/]*')}(/|$)`),
     );
-    const isShipped = (file: string): boolean => shipped.some((pattern) => pattern.test(file));
+    const isShipped = (file: string) => shipped.some((pattern) => pattern.test(file));
     expect(linksOf(path).filter(({ file }) => !isShipped(file))).toEqual([]);
   });
 

@@ -49,7 +49,7 @@ function line(math: string): string {
 }
 
 /** The text of a page; powers as ^. */
-const plain = (html: string): string =>
+const plain = (html: string) =>
   html
     .replaceAll(/<math[^]*?<\/math\s*>/g, '')
     .replaceAll('<sup>', '^')
@@ -59,7 +59,7 @@ const plain = (html: string): string =>
 const COEFFICIENTS = /K[ads]|\bk[clq]\b|\bcutoff\b/;
 
 /** Whether its equations are HTML. */
-const isPage = (path: string): boolean => path.endsWith('.html') || path.startsWith('demo/guide/');
+const isPage = (path: string) => path.endsWith('.html') || path.startsWith('demo/guide/');
 
 /** What a document has of the equation, each as one line without its left side. */
 function formulasOf(path: string, text: string): readonly string[] {
@@ -101,7 +101,7 @@ const grey = (x: number) => [x, x, x] as const;
  * A fragment under a light from anywhere: what formulas name, and what the reference makes of it.
  */
 function sample(random: Random) {
-  const full = (): number => random.from(1, 255);
+  const full = () => random.from(1, 255);
   const [ka, kd, ks, ambient, diffuse, specular] = [1, 2, 3, 4, 5, 6].map(full) as number[];
   const attenuation = random.vector(0, 1);
   const cutoff = random.from(1, 8);

@@ -14,7 +14,7 @@ async function guarded(): Promise<{
   const context = Object.assign(new EventEmitter(), { addInitScript: () => Promise.resolve() });
   const guard = new ConsoleGuard();
   await guard.watch(context as unknown as BrowserContext);
-  const say = (type: string, text: string): void => {
+  const say = (type: string, text: string) => {
     context.emit('console', { type: () => type, text: () => text });
   };
   return { guard, say };

@@ -38,8 +38,7 @@ import { PhongMesh } from '../../src/viewer/element/phong-mesh.js';
 const elements = describeElements(tables);
 const manifest = customElementsManifest(elements);
 const declarations = manifest.modules[0]!.declarations as CustomElementDeclaration[];
-const declared = (tag: string): CustomElementDeclaration =>
-  declarations.find((d) => d.tagName === tag)!;
+const declared = (tag: string) => declarations.find((d) => d.tagName === tag)!;
 const attributes = declarations.flatMap(({ tagName, attributes = [] }) =>
   attributes.map((attribute) => ({ ...attribute, title: `${tagName!} ${attribute.name}` })),
 );

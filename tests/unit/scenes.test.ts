@@ -31,7 +31,7 @@ interface Shape {
 /** The upright shapes of a scene's markup. */
 function shapesOf(scene: string): readonly Shape[] {
   return Array.from(scene.matchAll(/<phong-mesh\b([^>]*)>/g), ([, text = '']) => {
-    const of = (name: string): string => new RegExp(`\\s${name}="([^"]*)"`).exec(text)?.[1] ?? '';
+    const of = (name: string) => new RegExp(`\\s${name}="([^"]*)"`).exec(text)?.[1] ?? '';
     const numbers = (name: string): readonly number[] => of(name).trim().split(/\s+/).map(Number);
     const geometry = of('rotation') === '' ? of('geometry') : '';
     const [, y = 0] = numbers('position');
@@ -41,7 +41,7 @@ function shapesOf(scene: string): readonly Shape[] {
   }).filter(({ top }) => !Number.isNaN(top));
 }
 
-const isFloor = ({ top, bottom }: Shape): boolean => top - bottom < 0.1;
+const isFloor = ({ top, bottom }: Shape) => top - bottom < 0.1;
 
 const scenes = files
   .trim()

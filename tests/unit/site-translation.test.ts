@@ -9,11 +9,11 @@ const LESSON = 'lesson/';
 const english = sourceOf(LESSON, '');
 const texts = textsOf(english);
 
-const wordsIn = (language: string): Words =>
+const wordsIn = (language: string) =>
   JSON.parse(readFileSync(`demo/${LESSON}${language}.json`, 'utf8')) as Words;
 
 /** Elements and attributes without words. */
-const skeletonOf = (html: string): string[] =>
+const skeletonOf = (html: string) =>
   Array.from(html.matchAll(/<(\/?[\w-]+)((?:\s[^>]*)?)>/g), ([, tag = '', attributes = '']) =>
     `${tag} ${attributes.replaceAll(/\s(alt|content|name|lang|src)="[^"]*"/g, '').replaceAll(/\s+/g, ' ')}`.trim(),
   ).sort();

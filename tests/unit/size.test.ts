@@ -25,7 +25,7 @@ function tokensOf(path: string): number {
 }
 
 /** Tokens of all scripts below a folder. */
-const tokensBelow = (folder: string): number =>
+const tokensBelow = (folder: string) =>
   readdirSync(repository + folder, { recursive: true, withFileTypes: true })
     .filter(({ name, parentPath }) => {
       const isScript = /\.(ts|mjs|js)$/.test(name) && !name.endsWith('.d.ts');
@@ -59,7 +59,7 @@ it.each([
 });
 
 it('each extra has a budget of its own, and src no folder beside phong, viewer and extras', () => {
-  const foldersIn = (path: string): string[] =>
+  const foldersIn = (path: string) =>
     readdirSync(repository + path, { withFileTypes: true })
       .filter((entry) => entry.isDirectory())
       .map(({ name }) => name)

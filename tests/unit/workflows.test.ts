@@ -7,7 +7,7 @@ import { accessSync, constants, existsSync, readdirSync, readFileSync } from 'no
 import { describe, expect, it } from 'vitest';
 
 const folder = '.github/workflows';
-const textOf = (name: string): string => readFileSync(`${folder}/${name}`, 'utf8');
+const textOf = (name: string) => readFileSync(`${folder}/${name}`, 'utf8');
 const workflows = readdirSync(folder).map((name) => ({ name, text: textOf(name) }));
 const jsonOf = (path: string): unknown => JSON.parse(readFileSync(path, 'utf8'));
 const { scripts, engines, dependencies, peerDependencies } = jsonOf('package.json') as Readonly<

@@ -32,7 +32,7 @@ const SCALES: Readonly<Record<string, Step>> = {
 
 /** Pixels that lie inside the outline: they and their neighbours are covered in full. */
 function insideOutline({ codes }: Drawn, width: number): number[] {
-  const isFull = (i: number): boolean => codes[4 * i + 3] === 255;
+  const isFull = (i: number) => codes[4 * i + 3] === 255;
   const near = [0, 1, -1, width, -width, width + 1, width - 1, -width + 1, -width - 1];
   return Array.from({ length: codes.length / 4 }, (_, i) => i).filter((i) =>
     near.every((d) => isFull(i + d)),
@@ -94,8 +94,7 @@ test('a single-sided surface is invisible from behind, a double-sided one is not
     { scale: [1, -1, 1] },
     { scale: [1, 1, 1], sides: 'double' },
   );
-  const covered = ({ codes }: Drawn): number =>
-    codes.filter((code, i) => i % 4 === 3 && code > 0).length;
+  const covered = ({ codes }: Drawn) => codes.filter((code, i) => i % 4 === 3 && code > 0).length;
   expect(covered(above!)).toBeGreaterThan(220);
   expect(covered(below!)).toBe(0);
   expect(covered(mirrored!)).toBe(covered(both!));

@@ -22,7 +22,7 @@ function tones({ data }: Picture): readonly number[] {
   return found;
 }
 
-const share = (all: readonly number[], which: (tone: number) => boolean): number =>
+const share = (all: readonly number[], which: (tone: number) => boolean) =>
   all.filter(which).length / all.length;
 
 for (const [lighting, light] of lightings) {

@@ -8,7 +8,7 @@ const size = { width: 160, height: 120 };
  * A shape `scale` units large. Its directional lights reach any size; highlights need distances
  * above 1e-15.
  */
-const scene = (scale: number, geometry: string, ks: number): string =>
+const scene = (scale: number, geometry: string, ks: number) =>
   `<phong-viewer>
      <phong-mesh geometry="${geometry}" scale="${scale}" kd="200 120 60" ks="${ks}"></phong-mesh>
      <phong-light position="1 2 3 0" ambient="20" diffuse="140"></phong-light>
@@ -30,7 +30,7 @@ test('a scene of any size from 1e-20 to 1e12 looks as it does at size 1', async 
   page,
 }) => {
   for (const geometry of ['sphere', 'torus-knot']) {
-    const usual = (ks: number): string => scene(1, geometry, ks);
+    const usual = (ks: number) => scene(1, geometry, ks);
     await mount(
       [usual(0), usual(128), ...sizes.map(([scale, ks]) => scene(scale, geometry, ks))].join(''),
       size,
@@ -48,7 +48,7 @@ test('a scene of any size from 1e-20 to 1e12 looks as it does at size 1', async 
 });
 
 /** The same scene with its target elsewhere. The lamp's offset is exact there. */
-const placed = ([x, y, z]: readonly [number, number, number]): string =>
+const placed = ([x, y, z]: readonly [number, number, number]) =>
   `<phong-viewer target="${x} ${y} ${z}" radius="3" theta="25" phi="65">
      <phong-mesh geometry="torus-knot" position="${x} ${y} ${z}" kd="200 120 60"></phong-mesh>
      <phong-light position="1 2 3 0" ambient="20" diffuse="100"></phong-light>

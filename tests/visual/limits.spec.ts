@@ -10,7 +10,7 @@ const MIDDLE = 50;
 const ASIDE = 70;
 
 /** The first of two attributes of one name counts: `view` and `mesh` win. */
-const viewer = (light: string, mesh = '', view = ''): string =>
+const viewer = (light: string, mesh = '', view = '') =>
   `<phong-viewer ${view} theta="0" phi="0" radius="3" target="0 0 0" fov="40">
      <phong-mesh geometry="plane" ${mesh} scale="2" ka="255" kd="255" ks="0"></phong-mesh>
      <phong-light ${light}></phong-light>
@@ -94,7 +94,7 @@ test('follows every row of the table of limits', async ({ mount, page }) => {
   await mount(ROWS.map(([, light, , , mesh, view]) => viewer(light, mesh, view)).join(''), SIZE);
   for (const [i, [says, , middle, aside]] of ROWS.entries()) {
     const picture = await pixels(page.locator('phong-viewer').nth(i), SIZE);
-    const grey = (code: number): number[] => [code, code, code, 255];
+    const grey = (code: number) => [code, code, code, 255];
     expect.soft(pixelAt(picture, MIDDLE, MIDDLE), says).toEqual(grey(middle));
     if (aside !== null) {
       expect.soft(pixelAt(picture, ASIDE, MIDDLE), says).toEqual(grey(aside));

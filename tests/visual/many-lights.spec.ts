@@ -105,7 +105,7 @@ const FLOOR = { size: 20, height: 3, aperture: 20.6 } as const;
 
 function spots(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
-  const spot = (): LightValues =>
+  const spot = () =>
     lightWith({
       ambient: [dice.from(0, 4), 0, dice.from(0, 4)],
       diffuse: dice.vector(10, 40),
@@ -159,7 +159,7 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
   const viewer = await mount(sceneMarkup(scene), SIZE);
   const sum = new DifferenceSum();
   /** The same state drawn once by the loop: a new viewer starts with general programs. */
-  const expectLike = async (what: string): Promise<void> => {
+  const expectLike = async (what: string) => {
     // It may owe its picture with all pixels.
     await settled(viewer);
     await glSpent(page);

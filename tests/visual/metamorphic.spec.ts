@@ -47,9 +47,9 @@ function sceneOf(seed: number): DeclaredScene {
 type Law = (scene: DeclaredScene, dice: Dice, seed: number) => DeclaredScene;
 
 /** From 2^-10 on, so that attenuation stays within its domain. */
-const powerOfTwo = (dice: Dice): number => 2 ** Math.round(dice.from(-10, 20));
+const powerOfTwo = (dice: Dice) => 2 ** Math.round(dice.from(-10, 20));
 
-const away = (scene: DeclaredScene, dice: Dice): DeclaredScene =>
+const away = (scene: DeclaredScene, dice: Dice) =>
   moved(scene, [dice.pick([-1e8, 1e8]), dice.pick([-1e8, 1e8]), dice.pick([-1e8, 1e8])]);
 
 /** The same bits by construction. */
@@ -191,7 +191,7 @@ function placed({ position: [x, y, z, w] }: LightValues, change: (v: Vec3) => Ve
 /** All lengths times `s`: places, sizes, the camera's distance, and attenuation's share of them. */
 function scaled(scene: DeclaredScene, s: number): DeclaredScene {
   const { pose, meshes } = scene;
-  const larger = (v: Vec3): Vec3 => scale(v, s);
+  const larger = (v: Vec3) => scale(v, s);
   const lit = lightsOf(scene, (light) => {
     const [kc, kl, kq] = light.attenuation;
     return {
@@ -213,7 +213,7 @@ function scaled(scene: DeclaredScene, s: number): DeclaredScene {
 
 /** Moves everything in the world by `offset`; lights in camera space follow the eye. */
 function moved(scene: DeclaredScene, offset: Vec3): DeclaredScene {
-  const there = (v: Vec3): Vec3 => add(v, offset);
+  const there = (v: Vec3) => add(v, offset);
   const lit = lightsOf(scene, (light) =>
     light.position[3] === 1 && light.space === 'world'
       ? { ...light, position: placed(light, there) }
@@ -234,7 +234,7 @@ function turned(scene: DeclaredScene): DeclaredScene {
     new Vector3(0, 1, 0),
     new Vector3(1, 0, 0),
   );
-  const rotation = (degrees: Vec3): Vec3 => {
+  const rotation = (degrees: Vec3) => {
     const [x, y, z] = degrees.map((d) => (d * Math.PI) / 180) as [number, number, number];
     const matrix = new Matrix4()
       .makeRotationFromEuler(new Euler(x, y, z, 'XYZ'))
@@ -269,7 +269,7 @@ function withStrangers(scene: DeclaredScene, seed: number): DeclaredScene {
  * Each light as two of half its intensity; where colours are encoded, half of what they decode to.
  */
 function halved(scene: DeclaredScene): DeclaredScene {
-  const half = (c: Vec3): Vec3 => {
+  const half = (c: Vec3) => {
     if (scene.options.linear !== true) return scale(c, 0.5);
     return c.map((x) => 255 * srgbEncode(srgbDecode(x / 255) / 2)) as unknown as Vec3;
   };

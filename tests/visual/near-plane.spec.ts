@@ -4,7 +4,7 @@ import { basisOf } from '../../src/phong/camera/orbit.js';
 import { createGeometry } from '../../src/phong/model/shapes/shapes.js';
 import { Tracer } from '../../src/extras/still/tracer.js';
 import { firstOf, fullOr, SEED } from '../support/repeats.js';
-import { expect, type Picture, pixels, test } from '../support/test.js';
+import { expect, pixels, test } from '../support/test.js';
 import { expectNoHoles, markupOf } from './coverage.js';
 import { floorsOfAllSizes, LOW_EYES, randomLowEye } from './low-eyes.js';
 import { BLACK, trianglesOf } from './ray-cast.js';
@@ -35,8 +35,7 @@ test('a picture in tiles, a linked viewer and shadeAt see the same floor as the 
   const [low] = LOW_EYES;
   const markup = markupOf(low!).replace('<phong-viewer', '<phong-viewer camera-group="low"');
   const viewer = await mount(markup + markup.replace(/theta="\d+"/u, 'theta="0"'), SIZE);
-  const codes = async (index: number): Promise<Picture> =>
-    pixels(page.locator('phong-viewer').nth(index), SIZE);
+  const codes = async (index: number) => pixels(page.locator('phong-viewer').nth(index), SIZE);
   expect((await codes(1)).data).toEqual((await codes(0)).data);
   // Larger than the GPU can draw at once: in tiles. Each column of the lowest row shows the floor.
   const { data } = await pixels(viewer, { width: 9000, height: 4 });

@@ -83,6 +83,6 @@ async function compared(item: Element) {
     both += 1;
     pictures.forEach((data, k) => [0, 1, 2].forEach((c) => (sums[k]![c]! += data[i - 3 + c]!)));
   }
-  const mean = (sum: readonly number[]): number[] => sum.map((c) => Math.round(c / both));
+  const mean = (sum: readonly number[]) => sum.map((c) => Math.round(c / both));
   return { covered: both / either, colours: [mean(sums[0]), mean(sums[1])] as const };
 }

@@ -105,7 +105,7 @@ test('lights that reach nothing change no bit in the same program', async ({ pag
   const own = '<phong-light position="1 1 0.5" ambient="20" attenuation="1 0.2 0.1"></phong-light>';
   const declared = `<phong-light active="false" position="0 1 0" axis="0 -1 0" aperture="40" cutoff="2"></phong-light>`;
   for (const shading of firstOf(['phong', 'gouraud', 'flat'], 2)) {
-    const markup = (idle: string): string =>
+    const markup = (idle: string) =>
       `<phong-viewer geometry="torus" segments="24" shading="${shading}" theta="20" phi="50" target="0 0 0" radius="2">${own}${declared}${idle}</phong-viewer>`;
     const viewers = await showAll(page, [
       markup(''),

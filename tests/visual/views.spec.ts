@@ -232,7 +232,7 @@ interface Explained {
 }
 
 const grey = (value: number): Vec3 => [value, value, value];
-const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
+const clamped = (value: number) => Math.min(Math.max(value, 0), 1);
 
 /**
  * What a view must show of a fragment, 0–1, from the equation's own numbers in float64. `shares`
@@ -242,7 +242,7 @@ const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
 function viewColor(view: View, { N, shares }: Explained): Vec3 {
   const active = shares.filter((share) => share !== null);
   const [first] = active;
-  const sum = (term: 'ambient' | 'diffuse' | 'specular'): Vec3 =>
+  const sum = (term: 'ambient' | 'diffuse' | 'specular') =>
     [0, 1, 2].map((i) =>
       clamped(active.reduce((all, share) => all + share[term][i]!, 0)),
     ) as unknown as Vec3;

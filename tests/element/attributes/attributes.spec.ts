@@ -98,7 +98,7 @@ test('the browser converts colours to sRGB; text too long or too deep never reac
       },
     });
     const light = document.createElement('phong-light');
-    const accepts = (text: string): boolean => {
+    const accepts = (text: string) => {
       try {
         light.diffuse = text;
         return true;
@@ -132,11 +132,11 @@ test('values that were refused are not kept', async ({ page, mount, consoleGuard
     'phong-light',
   );
   const session = await page.context().newCDPSession(page);
-  const heap = async (): Promise<number> => {
+  const heap = async () => {
     await session.send('HeapProfiler.collectGarbage');
     return (await session.send('Runtime.getHeapUsage')).usedSize;
   };
-  const write = (count: number): Promise<void> =>
+  const write = (count: number) =>
     light.evaluate((element, times) => {
       for (let i = 0; i < times; i++) {
         const text = `${String(i)} ${'color-mix('.repeat(1e5)}`;

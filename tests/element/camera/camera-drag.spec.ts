@@ -30,7 +30,7 @@ test('a drag continues outside the page and from a property, until the viewer is
   mount,
 }) => {
   const viewer = await mount(box, { width: 200, height: 200 });
-  const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
+  const theta = async () => (await cameraOf(viewer)).theta;
   await drag(page, [100, 100], [300, 0], { release: false });
   expect(await theta()).toBe(30 - 540 + 360);
   await page.mouse.move(-100, 100);

@@ -16,7 +16,7 @@ import {
 } from '../support/viewer.js';
 
 /** Two viewers of 300 × 200 side by side. */
-const pair = (first: string, second: string): string =>
+const pair = (first: string, second: string) =>
   [first, second]
     .map(
       (attributes) => `<phong-viewer geometry="box" camera-group="a" ${attributes}></phong-viewer>`,
@@ -51,7 +51,7 @@ test('the first picture, drawn once, has the first viewer’s camera, however la
     ...size,
     waitForReady: false,
   });
-  const frames = (): Promise<number[]> =>
+  const frames = () =>
     page.evaluate(() =>
       [...document.querySelectorAll('phong-viewer')].map(({ stats }) => stats.frames),
     );
@@ -75,7 +75,7 @@ test('drag, wheel, keys and properties move all viewers, with one event and fram
     await record(first, 'camera-change'),
     await record(second, 'camera-change'),
   ] as const;
-  const drawn = (): Promise<number> => first.evaluate(({ stats }) => stats.frames);
+  const drawn = () => first.evaluate(({ stats }) => stats.frames);
   const deeds: readonly (readonly [source: string, deed: () => Promise<unknown>])[] = [
     ['pointer', () => drag(page, [450, 100], [33, 17], { steps: 1 })],
     ['wheel', () => page.mouse.wheel(0, 70)],

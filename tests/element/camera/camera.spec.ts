@@ -186,7 +186,7 @@ test('auto refits to new meshes, size and field of view until the user moves the
 }) => {
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>');
   const reach = Math.sqrt(0.75);
-  const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
+  const radius = async () => (await cameraOf(viewer)).radius;
   await assign(viewer, { theta: 90, fov: 60 });
   expect(await radius()).toBeCloseTo(fitted(reach, 600, 400, 60), 6);
   await viewer.evaluate((element) => Object.assign(element.style, { width: '200px' }));
@@ -220,7 +220,7 @@ test('auto-rotate turns by elapsed time, except in drags and with reduced motion
   const viewer = await mount(
     '<phong-viewer geometry="box" theta="0" auto-rotate="90"></phong-viewer>',
   );
-  const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
+  const theta = async () => (await cameraOf(viewer)).theta;
   await nextFrame(page);
   expect(await theta()).toBe(0);
   await drag(page, [300, 200], [-60, 0]);

@@ -17,11 +17,10 @@ const green =
   '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
 
 const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
-const scene = (...children: readonly string[]): string =>
-  `${open}${children.join('')}</phong-viewer>`;
+const scene = (...children: readonly string[]) => `${open}${children.join('')}</phong-viewer>`;
 
 /** The picture of this markup in a second viewer. */
-const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
+const shown = (page: Page, markup: string) => shownBy(page, markup, size);
 const box = '<phong-mesh name="box" geometry="box" scale="0.3"></phong-mesh>';
 
 test('children belong to the nearest viewer at any depth, except in slots', async ({
@@ -34,7 +33,7 @@ test('children belong to the nearest viewer at any depth, except in slots', asyn
     2,
   );
   const nested = consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
-  const tree = (mode: string, inner: string): string =>
+  const tree = (mode: string, inner: string) =>
     `<div><template shadowrootmode="${mode}">${inner}</template>`;
   const selfClosed = [red, box, green].map((tag) => tag.replace(/><\/[^>]*>$/, '/>')).join('');
   /** Each with the lights and meshes of its viewers, in document order. */
@@ -111,7 +110,7 @@ test('children that a component shows in a slot belong to the viewer around the 
       const viewer = host.shadowRoot!.querySelector('phong-viewer')!;
       Object.assign(viewer.style, { width: `${width}px`, height: `${height}px` });
       const seen: string[] = [];
-      const see = async (): Promise<void> => {
+      const see = async () => {
         await viewer.ready;
         seen.push([...viewer.lights, ...viewer.meshes].map(({ name }) => name).join(' '));
       };
@@ -295,7 +294,7 @@ test('of meshes at one place the last one in document order is visible, with any
   mount,
 }) => {
   await logGl(page);
-  const lit = (...meshes: readonly string[]): string =>
+  const lit = (...meshes: readonly string[]) =>
     `<phong-viewer theta="20" phi="60" radius="3" target="0 0 0">
       <phong-light position="0.6 1 1.2 0" ambient="60" diffuse="120"></phong-light>${meshes.join('')}</phong-viewer>`;
   const red = '<phong-mesh geometry="sphere" kd="200 40 40"></phong-mesh>';

@@ -8,7 +8,7 @@ import { expectSmooth, filmZoom } from './round-levels.js';
 const SIZE = { width: 120, height: 120 };
 
 /** Triangles of the first mesh that is drawn. */
-const triangles = (viewer: ViewerLocator): Promise<number> =>
+const triangles = (viewer: ViewerLocator) =>
   viewer.evaluate((element) => {
     const mesh = element.scene.children[0] as unknown as {
       geometry: { index: { count: number } | null };
@@ -17,7 +17,7 @@ const triangles = (viewer: ViewerLocator): Promise<number> =>
   });
 
 /** Of a sphere. */
-const sphereOf = (segments: number): number => 2 * segments * (segments / 2 - 1);
+const sphereOf = (segments: number) => 2 * segments * (segments / 2 - 1);
 
 test('a sphere has the segments that its size and the camera need, and the camera stays', async ({
   mount,
@@ -47,7 +47,7 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   mount,
 }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
-  const covered = async (side: number): Promise<number> => {
+  const covered = async (side: number) => {
     const { data } = await pixels(viewer, { width: side, height: side });
     return data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) / (255 * side ** 2);
   };
@@ -101,8 +101,7 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
     '<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>',
     SIZE,
   );
-  const shown = (): Promise<string[]> =>
-    viewer.evaluate((element) => element.scene.children.map(({ name }) => name));
+  const shown = () => viewer.evaluate((element) => element.scene.children.map(({ name }) => name));
   const heard = await record(viewer, 'error');
   // 64 segments have 3,968 triangles, and 13,605 more as a flat copy.
   await viewer.evaluate(async (element) => {

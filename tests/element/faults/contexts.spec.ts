@@ -27,7 +27,7 @@ for (const count of [1, 2]) {
     const viewer = await mount(box.repeat(count), SIZE);
     const notices = page.locator('phong-viewer [part=notice]');
     const events = await record(viewer, 'error', 'render');
-    const asked = (): Promise<number> => page.evaluate(() => window.faults.asked);
+    const asked = () => page.evaluate(() => window.faults.asked);
     await expect(notices).toHaveCount(count);
     await expect(notices.first()).toContainText(/WebGL 2/);
     expect(await page.evaluate('window.detail.code')).toBe('no-webgl2');
@@ -152,7 +152,7 @@ test('toBlob rejects if the context is lost before its event arrives or between 
     const outcomes = await viewer.evaluate(async (element, side) => {
       const picture = (): Promise<unknown> =>
         element.toBlob({ width: side, height: 60 }).then(() => 'a picture', String);
-      const wait = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 50));
+      const wait = () => new Promise((resolve) => setTimeout(resolve, 50));
       if (side > 4096) {
         window.faults.callsLeft = 1e6;
         await picture();

@@ -40,7 +40,7 @@ const setLinking = (page: Page, linking: boolean): Promise<void> =>
   page.evaluate((on) => void Object.assign(window, { linking: on }), linking);
 
 /** Frames that the viewer draws in six of the page's, and whether it is ready after them. */
-const watch = (viewer: ViewerLocator): Promise<{ drawn: number; ready: boolean }> =>
+const watch = (viewer: ViewerLocator) =>
   viewer.evaluate(async (element) => {
     const before = element.stats.frames;
     let ready = false;

@@ -11,7 +11,7 @@ const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
-const framesOf = async (viewer: ViewerLocator): Promise<number> => (await statsOf(viewer)).frames;
+const framesOf = async (viewer: ViewerLocator) => (await statsOf(viewer)).frames;
 
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;
@@ -22,7 +22,7 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
 }) => {
   const viewer = await mount(`${box}${box}`, size);
   expect((await countsOf(page)).layouts).toBeGreaterThan(0); // of the first look
-  const turnAWhile = (): Promise<void> =>
+  const turnAWhile = () =>
     viewer.evaluate(async (element) => {
       const end = element.stats.frames + 3;
       element.autoRotate = 45;

@@ -31,7 +31,7 @@ for (const [what, attributes, layouts] of [
       { width: 500, height: 320 },
     );
     await settled(viewer);
-    const moveTo = async (step: number): Promise<void> => {
+    const moveTo = async (step: number) => {
       await page.mouse.move(190 + 3 * step, 120 + step);
       await page.evaluate(() => new Promise(requestAnimationFrame));
     };

@@ -26,10 +26,10 @@ async function litPrograms(page: Page): Promise<GlProgram[]> {
  * Lengths of the programs' code after the preprocessor and without functions that `main` does not
  * reach.
  */
-const codeLengths = (page: Page, programs: readonly GlProgram[]): Promise<number[]> =>
+const codeLengths = (page: Page, programs: readonly GlProgram[]) =>
   page.evaluate((texts) => {
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
-    const lengthOf = (kind: number, text: string): number => {
+    const lengthOf = (kind: number, text: string) => {
       const shader = gl.createShader(kind)!;
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
@@ -152,7 +152,7 @@ test('a picture without lights in the loop gets a specialised program that shows
   mount,
 }) => {
   await logGl(page);
-  const light = (more: string): string => `<phong-light ambient="90 60 30" ${more}></phong-light>`;
+  const light = (more: string) => `<phong-light ambient="90 60 30" ${more}></phong-light>`;
   for (const lights of [light('diffuse="0" specular="0"'), light('active="false"')]) {
     const viewer = await mount(`<phong-viewer geometry="box">${lights}</phong-viewer>`, size);
     const before = await pixels(viewer);

@@ -27,7 +27,7 @@ interface Shown {
   readonly programs: string;
 }
 
-const programsOf = (drawn: readonly GlProgram[]): string =>
+const programsOf = (drawn: readonly GlProgram[]) =>
   drawn
     .map(({ vertex, fragment }) => vertex + fragment)
     .sort()
@@ -68,7 +68,7 @@ const moveLights = (element: PhongViewer): void => {
 
 /** Directional, point and spot lights in turn, on a sphere that fills the picture. */
 // Whoever writes `pixel-ratio` gets all pixels, so no fence is among the calls.
-const markup = (lights: number): string =>
+const markup = (lights: number) =>
   `<phong-viewer pixel-ratio="1" geometry="sphere" segments="24" radius="0.9" target="0 0 0">${Array.from(
     { length: lights },
     (_, i) => {
@@ -173,10 +173,7 @@ test('lights that move beside another viewer, or after a restored context, show 
   await logGl(page);
   await holdContext(page);
   const viewer = await mount(markup(6), size);
-  const expectWholeMoves = async (
-    which: string,
-    others: readonly Locator[] = [],
-  ): Promise<void> => {
+  const expectWholeMoves = async (which: string, others: readonly Locator[] = []) => {
     for (let frame = 0; frame < 3; frame++) {
       for (const one of [viewer, ...others]) {
         await expectWhole(one, which, await shownAfter(one, moveLights));

@@ -2,7 +2,6 @@
 
 import type * as Three from 'three';
 import { expect, test } from '../../support/test.js';
-import type { PhongMesh } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const size = { width: 24, height: 16 };
@@ -26,9 +25,9 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
     );
     element.scene.add(own);
     element.refit();
-    const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
+    const bytesOf = async (blob: Promise<Blob>) =>
       new Uint8Array(await (await blob).arrayBuffer()).join();
-    const mesh = (): PhongMesh => element.querySelector('phong-mesh')!;
+    const mesh = () => element.querySelector('phong-mesh')!;
     const parent = element.parentElement!;
     const reported = (change: () => void) => (): void => {
       change();
@@ -92,7 +91,7 @@ test('toBlob({ samples }) ends with the picture of one scene where each frame ch
 }) => {
   const viewer = await mount(`<phong-viewer alt="" geometry="torus">${light}</phong-viewer>`, size);
   const result = await viewer.evaluate(async (element, given) => {
-    const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
+    const bytesOf = async (blob: Promise<Blob>) =>
       new Uint8Array(await (await blob).arrayBuffer()).join();
     const angles = [10, 50];
     const wanted: string[] = [];
@@ -103,7 +102,7 @@ test('toBlob({ samples }) ends with the picture of one scene where each frame ch
     }
     let frame = 0;
     let going = true;
-    const turn = (): void => {
+    const turn = () => {
       element.theta = angles[(frame += 1) % 2]!;
       if (going) {
         requestAnimationFrame(turn);

@@ -111,7 +111,7 @@ test('a light that reaches only one of two meshes is left out of the other’s d
 const CROWD: readonly LightValues[] = Array.from({ length: 40 }, (_, i): LightValues => {
   const dim: LightValues = { ...LAMP, ambient: [1, 1, 1], diffuse: [5, 4, 3], specular: [2, 2, 2] };
   const turn = (i / 40) * 2 * Math.PI;
-  const round = (x: number): number => Number(x.toFixed(3));
+  const round = (x: number) => Number(x.toFixed(3));
   if (i < 10) return { ...dim, position: [round(Math.cos(turn)), 1, round(Math.sin(turn)), 0] };
   const place = [round(Math.cos(turn)), 1.5, round(Math.sin(turn)), 1] as const;
   if (i < 25) return { ...dim, position: place, attenuation: [1, 0.1, 0.1] };
@@ -120,7 +120,7 @@ const CROWD: readonly LightValues[] = Array.from({ length: 40 }, (_, i): LightVa
 
 /** Bytes of a row, a vec4 of floats. */
 const ROW = 16;
-const firstRow = (light: number): number =>
+const firstRow = (light: number) =>
   HEADER.rows +
   Math.min(light, 10) * ROWS.directional.rows +
   Math.min(Math.max(light - 10, 0), 15) * ROWS.point.rows +

@@ -6,7 +6,7 @@ import { type ViewerLocator, expect, pixels, test } from '../../support/test.js'
 import { statsOf, assign } from '../support/viewer.js';
 
 const size = { width: 300, height: 200 };
-const viewerOf = (attributes = ''): string =>
+const viewerOf = (attributes = '') =>
   `<phong-viewer geometry="box" alt="A box" ${attributes}><phong-light></phong-light></phong-viewer>`;
 
 /** Milliseconds. */
@@ -55,7 +55,7 @@ test.beforeEach(async ({ page }) => {
       return end > now || isAsked ? this.TIMEOUT_EXPIRED : this.CONDITION_SATISFIED;
     };
     // The page waits for the GPU, which it may only where the browser does.
-    const block = (): void => {
+    const block = () => {
       now = held.costs.blocks ? Math.max(now, drawn) : now;
     };
     gl.readPixels = () => {
@@ -80,7 +80,7 @@ test.beforeEach(async ({ page }) => {
   }, size.width * size.height);
 });
 
-const setCosts = (viewer: ViewerLocator, costs: Costs): Promise<void> =>
+const setCosts = (viewer: ViewerLocator, costs: Costs) =>
   viewer.evaluate((_, given) => {
     Object.assign(window, { costs: { vertices: 0, blocks: false, ...given } });
   }, costs);
@@ -89,7 +89,7 @@ const setCosts = (viewer: ViewerLocator, costs: Costs): Promise<void> =>
 async function turn(viewer: ViewerLocator, pictures: number, costs: Costs): Promise<number[]> {
   await setCosts(viewer, costs);
   return viewer.evaluate(async (element, count) => {
-    const canvas = (): HTMLCanvasElement => element.shadowRoot!.querySelector('canvas')!;
+    const canvas = () => element.shadowRoot!.querySelector('canvas')!;
     const next = (): Promise<number> =>
       new Promise((resolve) =>
         element.addEventListener('render', () => resolve(canvas().width), { once: true }),
@@ -155,7 +155,7 @@ test('a picture whose canvas another viewer takes waits for no drawing', async (
   const viewer = await mount(viewerOf(), size);
   await setCosts(viewer, { drawing: 200, interval: 60 });
   const [waiting, then, drawn] = await viewer.evaluate(async (element, markup) => {
-    const next = async (): Promise<number> => {
+    const next = async () => {
       for (let i = 0; i < 9; i++) {
         await new Promise(requestAnimationFrame);
       }
@@ -209,7 +209,7 @@ test('a ball that moves with fewer pixels has fewer triangles, but not in files,
       (triangles[canvas.width] ??= new Set()).add(args[1] / 3);
       drawElements.apply(this, args);
     };
-    const until = async (width: number): Promise<void> => {
+    const until = async (width: number) => {
       while (canvas.width !== width) {
         await new Promise(requestAnimationFrame);
       }

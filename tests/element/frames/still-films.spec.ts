@@ -47,9 +47,9 @@ test('whatever happens, each frame is a whole picture, and it converges afterwar
   await keepPixels(page);
   await countEverything(page);
   const viewer = await mount(viewerOf(512, 'geometry="sphere"'), { ...size, waitForReady: false });
-  const samples = (): Promise<number> => samplesOf(viewer);
-  const begins = (): Promise<void> => expect.poll(samples, { timeout: 20_000 }).toBeGreaterThan(0);
-  const hide = (hidden: boolean): Promise<void> =>
+  const samples = () => samplesOf(viewer);
+  const begins = () => expect.poll(samples, { timeout: 20_000 }).toBeGreaterThan(0);
+  const hide = (hidden: boolean) =>
     page.evaluate((isHidden) => {
       const visibilityState = isHidden ? 'hidden' : 'visible';
       Object.defineProperties(document, {
@@ -115,8 +115,7 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
   );
   const seen = (antialias: string) =>
     viewer.evaluate(async (element, mode) => {
-      const wait = (ms: number): Promise<unknown> =>
-        new Promise((resolve) => setTimeout(resolve, ms));
+      const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
       element.setAttribute('antialias', mode);
       element.theta = 30;
       await element.ready;
@@ -166,7 +165,7 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
     Object.assign(window, { log });
     const { prototype } = WebGL2RenderingContext;
     type Call = (this: unknown, ...given: unknown[]) => unknown;
-    const wrap = (name: 'fenceSync' | 'deleteSync' | 'drawElements', before: () => void): void => {
+    const wrap = (name: 'fenceSync' | 'deleteSync' | 'drawElements', before: () => void) => {
       const real = prototype[name] as Call;
       Reflect.set(prototype, name, function (this: unknown, ...given: unknown[]) {
         before();
@@ -186,7 +185,7 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
       addEventListener(type, () => log.push('input'), true);
     }
     addEventListener('render', () => log.push('render'), true);
-    const frame = (): void => {
+    const frame = () => {
       drawn = 0;
       requestAnimationFrame(frame);
     };
@@ -200,7 +199,7 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
   await session.send('Emulation.setCPUThrottlingRate', { rate: 6 });
   try {
     const log = await page.evaluateHandle(() => (window as unknown as { log: string[] }).log);
-    const batches = (): Promise<number> =>
+    const batches = () =>
       log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
     await page.mouse.move(20, 20);
     await page.mouse.down();

@@ -17,7 +17,7 @@ import {
 const size = { width: 60, height: 40 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const full = 'geometry="torus" antialias="full" samples="16"';
-const viewerOf = (attributes: string): string =>
+const viewerOf = (attributes: string) =>
   `<phong-viewer alt="" ${attributes}>${light}</phong-viewer>`;
 
 interface Shown {
@@ -74,7 +74,7 @@ test('samples begin three frames sooner after a lone change than after a drag', 
    * Frames from the last of so many changes, two frames apart, to its first batch of samples, which
    * ends with a fence.
    */
-  const waited = (changes: number): Promise<number> =>
+  const waited = (changes: number) =>
     viewer.evaluate(async (element, count) => {
       await new Promise((resolve) => setTimeout(resolve, 300));
       const { prototype } = WebGL2RenderingContext;
@@ -135,8 +135,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
     ...size,
     waitForReady: false,
   });
-  const begins = (): Promise<void> =>
-    expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
+  const begins = () => expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
   await begins();
   const moved = await viewer.evaluate((element) => {
     const parent = element.parentElement!;
@@ -227,7 +226,7 @@ test('samples of a round shape have more triangles than the plain picture, which
   mount,
 }) => {
   const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
-  const triangles = (): Promise<number> =>
+  const triangles = () =>
     viewer.evaluate((element) => {
       let count = 0;
       element.scene.traverse((object) => {

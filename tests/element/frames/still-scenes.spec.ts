@@ -42,7 +42,7 @@ function meansOf({ width, height, data }: Picture, times: number): Means {
   return means;
 }
 
-const rmse = (a: Means, b: Means): number =>
+const rmse = (a: Means, b: Means) =>
   Math.sqrt(a.reduce((sum, code, i) => sum + (code - b[i]!) ** 2, 0) / a.length);
 
 /** Views whose picture depends on the size of a pixel: lines of a pixel's width. */
@@ -104,7 +104,7 @@ test('both sides of a comparison converge, and moving its divider samples nothin
   mount,
 }) => {
   await countEverything(page);
-  const side = (shading: string): string =>
+  const side = (shading: string) =>
     `<phong-viewer ${full} geometry="sphere" segments="12" shading="${shading}">${light}</phong-viewer>`;
   await mount(`<phong-compare>${side('phong')}${side('gouraud')}</phong-compare>`, {
     css: `phong-compare { display: block; width: ${String(SIZE.width)}px; height: ${String(SIZE.height)}px }`,

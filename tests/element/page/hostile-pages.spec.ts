@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { firstOf } from '../../support/repeats.js';
-import { compare, expect, type Picture, pixels, same, test } from '../../support/test.js';
+import { compare, expect, pixels, same, test } from '../../support/test.js';
 import { nextFrame, record, type PhongViewer, settled } from '../support/viewer.js';
 
 const size = { width: 200, height: 150 };
@@ -43,7 +43,7 @@ test('shows every kind of scene alike whatever a page adds to Object.prototype',
   mount,
 }) => {
   const all = Object.entries(scenes);
-  const shown = async (): Promise<Picture[]> => {
+  const shown = async () => {
     await mount(all.map(([, markup]) => `<main>${markup}</main>`).join(''), {
       ...size,
       css: `main { float: left; width: ${size.width}px }`,

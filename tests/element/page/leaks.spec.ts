@@ -58,7 +58,7 @@ test('a picture that converges again and again leaves nothing behind', async ({ 
     '<phong-viewer geometry="box" antialias="full" samples="16"><phong-light></phong-light></phong-viewer>',
     size,
   );
-  const turn = (times: number): Promise<void> =>
+  const turn = (times: number) =>
     viewer.evaluate(async (element, count) => {
       for (let i = 0; i < count; i++) {
         element.theta += 1;
@@ -96,7 +96,7 @@ test('moving a viewer on its page opens no context and uploads nothing', async (
 });
 
 const light = '<phong-light position="1 2 3 1"></phong-light>';
-const box = (attributes = ''): string =>
+const box = (attributes = '') =>
   `<phong-viewer geometry="box" ${attributes}>${light}</phong-viewer>`;
 
 type Last = readonly [

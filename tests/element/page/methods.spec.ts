@@ -119,7 +119,7 @@ test.describe('toBlob', () => {
       await handle.evaluate(hide);
       await nextFrame(page);
       const equal = await handle.evaluate(async (element: PhongViewer, { width, height }) => {
-        const bytes = async (): Promise<string> => {
+        const bytes = async () => {
           const blob = await element.toBlob({ width, height });
           return String(new Uint8Array(await blob.arrayBuffer()));
         };

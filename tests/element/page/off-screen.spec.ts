@@ -9,11 +9,10 @@ import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
-const viewer = (attributes = ''): string =>
+const viewer = (attributes = '') =>
   `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
-const frames = (element: Locator): Promise<number> =>
-  element.evaluate(({ stats }: PhongViewer) => stats.frames);
-const above = (height: number): string => `main { padding: ${height}px 0 5000px }`;
+const frames = (element: Locator) => element.evaluate(({ stats }: PhongViewer) => stats.frames);
+const above = (height: number) => `main { padding: ${height}px 0 5000px }`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
@@ -22,8 +21,8 @@ test('auto waits in a closed dialog or <details>, model and panel; eager does no
   site,
 }) => {
   const requests = requestsOf(page);
-  const model = (name: string): string => `/fixtures/models/no-normals.glb?${name}`;
-  const viewer = (name: string, rest = ''): string =>
+  const model = (name: string) => `/fixtures/models/no-normals.glb?${name}`;
+  const viewer = (name: string, rest = '') =>
     `<phong-viewer id="${name}" gui src="${model(name)}" ${rest}></phong-viewer>`;
   const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
   await page.goto(
@@ -37,9 +36,8 @@ test('auto waits in a closed dialog or <details>, model and panel; eager does no
   await expect.poll(() => requests).toContain(site.origin + model('c'));
   await page.locator('#a').evaluate((element: PhongViewer) => element.ready);
   await nextFrame(page);
-  const names = (): string[] =>
-    requests.flatMap((url) => /no-normals\.glb\?(.)/.exec(url)?.[1] ?? []).sort();
-  const panels = (): number => requests.filter((url) => /chunks\/panel.*\.js/.test(url)).length;
+  const names = () => requests.flatMap((url) => /no-normals\.glb\?(.)/.exec(url)?.[1] ?? []).sort();
+  const panels = () => requests.filter((url) => /chunks\/panel.*\.js/.test(url)).length;
   expect([names(), panels()]).toEqual([['c'], 0]);
   await page.locator('dialog').first().evaluate((dialog: HTMLDialogElement) => dialog.showModal()); // oxfmt-ignore
   await expect.poll(names).toEqual(['a', 'c']);
@@ -170,7 +168,7 @@ test('the next pictures of a carousel are drawn before they come into view', asy
     await nextFrame(page);
     await nextFrame(page);
     const all = await page.locator('phong-viewer').all();
-    const counts = async (): Promise<number[]> => Promise.all(all.map(frames));
+    const counts = async () => Promise.all(all.map(frames));
     // Slides 1 and 2 lie within 700 px of the visible one, which alone moves.
     await expect.poll(async () => (await counts())[0]).toBeGreaterThan(3);
     expect((await counts()).slice(1), overflow).toEqual([1, 1, 0, 0]);

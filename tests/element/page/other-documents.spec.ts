@@ -30,7 +30,7 @@ const SIZE = { width: 200, height: 150 };
 const framing = { ...SIZE, css, csp: `${strictPolicy}; frame-src 'self'` };
 
 /** Moves the first viewer into the iframe's document. */
-const intoFrame = (page: Page): Promise<void> =>
+const intoFrame = (page: Page) =>
   page.evaluate(async () => {
     const viewer = document.querySelector('phong-viewer')!;
     const inner = document.querySelector('iframe')!.contentDocument!;
@@ -96,7 +96,7 @@ test('lights and meshes move with the viewer into an iframe, whose media queries
     return { lightsDeclared, lightsActive, meshes: moved.meshes.length };
   });
   expect(facts).toEqual({ lightsDeclared: 3, lightsActive: 3, meshes: 1 });
-  const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const frames = () => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
   const before = await frames();
   const left = await inside.evaluate((element: PhongViewer) => {
     element.lights[0]!.remove();
@@ -146,7 +146,7 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   await page.keyboard.press('ArrowRight');
   expect((await cameraOf(inside)).theta).toBe(-11);
   await inside.evaluate((element: PhongViewer) => (element.style.width = '300px'));
-  const width = (): Promise<number> =>
+  const width = () =>
     inside.evaluate(({ shadowRoot }: PhongViewer) => shadowRoot!.querySelector('canvas')!.width);
   await expect.poll(width).toBe(300);
   // Created there, not moved there.
@@ -285,7 +285,7 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     Object.assign(element, { title: '', probe: false }),
   );
   // Below the fold it is drawn for print.
-  const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const frames = () => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
   await inside.evaluate((element: PhongViewer) => {
     element.style.marginTop = '5000px';
     // Its own observer, which is older, hears of the place first.

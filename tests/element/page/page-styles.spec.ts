@@ -68,7 +68,7 @@ test('no inherited style of the page changes what lies over a picture, in a pane
     await nextFrame(page);
     return page.evaluate(() => {
       const texts: string[] = [];
-      const walk = (root: ParentNode): void => {
+      const walk = (root: ParentNode) => {
         for (const element of root.querySelectorAll('*')) {
           const own = [...element.childNodes].some(
             (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',
@@ -91,7 +91,7 @@ test('no inherited style of the page changes what lies over a picture, in a pane
       return texts;
     });
   };
-  const style = (name: string, value: string): Promise<void> =>
+  const style = (name: string, value: string) =>
     page
       .locator('main')
       .evaluate((main, [key, text]) => main.style.setProperty(key, text), [name, value] as const);

@@ -57,7 +57,7 @@ test('prints CSS backgrounds on every page, and round shapes round on narrow pap
   for (const shape of await redShapesOnPaper(page, 4)) {
     expect(shape).toBeCloseTo(200 / 180, 1);
   }
-  const ball = (attributes: string): string =>
+  const ball = (attributes: string) =>
     `<phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0" ${attributes}><phong-light ambient="255"></phong-light></phong-viewer>`;
   await mount(ball('gui') + ball(''), {
     css: `body { margin: 0 } phong-viewer { display: block; width: 100% !important; height: 300px }
@@ -108,7 +108,7 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
   page,
 }) => {
   const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
-  const viewer = (attributes: string): string =>
+  const viewer = (attributes: string) =>
     `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;
   await mount(viewer('gui') + viewer('view="diffuse"'), {
     css: `phong-viewer { width: 100% !important; height: 360px !important } .paper { width: 520px }
@@ -159,7 +159,7 @@ async function readPdf(pdf: Buffer): Promise<Page> {
 async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
   const reader = await readPdf(await page.pdf({ printBackground: true, preferCSSPageSize: true }));
   let shapes: number[] = [];
-  const found = async (): Promise<number> => {
+  const found = async () => {
     shapes = redShapes(decodePng(await reader.screenshot()));
     return shapes.length;
   };
@@ -169,8 +169,7 @@ async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
 }
 
 function redShapes({ width, height, data }: Picture): number[] {
-  const isRed = (at: number): boolean =>
-    data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
+  const isRed = (at: number) => data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
   const widths = Array.from({ length: height }, (_, y) => {
     let count = 0;
     for (let x = 0; x < width; x++) {

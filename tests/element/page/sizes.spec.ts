@@ -14,7 +14,7 @@ import { assign, canvasSize, nextFrame, record, set, htmlOf } from '../support/v
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
-const style = (viewer: ViewerLocator, css: string): Promise<string> =>
+const style = (viewer: ViewerLocator, css: string) =>
   viewer.evaluate((element, text) => (element.style.cssText = text), css);
 
 test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
@@ -48,7 +48,7 @@ for (const count of [1, 2]) {
       await setPixelRatio(page, ratio);
       const wanted = await viewer.evaluate((element) => {
         const { left, right, top, bottom } = element.getBoundingClientRect();
-        const snap = (x: number): number => Math.round(x * devicePixelRatio);
+        const snap = (x: number) => Math.round(x * devicePixelRatio);
         return [snap(right) - snap(left), snap(bottom) - snap(top)];
       });
       await expect.poll(() => canvasSize(viewer), { message: `ratio ${ratio}` }).toEqual(wanted);
@@ -99,7 +99,7 @@ test('is right when shown after it was 0 × 0 or not displayed, at the start or 
     const css = `phong-viewer.gone { ${hidden} }`;
     const gone = box.replace(' ', ' class="gone" ');
     const viewer = await mount(gone, { ...size, css, waitForReady: false });
-    const shown = async (): Promise<void> => {
+    const shown = async () => {
       // At once: whatever stays without a size is warned of.
       await viewer.evaluate(async (element) => {
         await element.ready;
@@ -142,7 +142,7 @@ for (const viewers of [1, 3]) {
       }
       const wrong: number[][] = [];
       const frames = viewers.map(({ stats }) => stats.frames);
-      const nextFrame = (): Promise<number> => new Promise(requestAnimationFrame);
+      const nextFrame = () => new Promise(requestAnimationFrame);
       await nextFrame();
       for (let step = 1; step <= 12; step++) {
         main.style.width = `${300 - 12 * step}px`;

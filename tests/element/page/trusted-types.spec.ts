@@ -10,7 +10,7 @@ import type { PhongViewer } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 import { assign } from '../support/viewer.js';
 
-const trusted = (policies: string): string =>
+const trusted = (policies: string) =>
   `require-trusted-types-for 'script'; trusted-types ${policies}`;
 
 test('a viewer works under a strict policy and trusted-types lit-html', async ({

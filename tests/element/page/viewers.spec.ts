@@ -16,7 +16,7 @@ test('viewers share one context and one frame; only those that changed draw', as
 }) => {
   const count = 64;
   const viewer = await mount(reddening(count), small);
-  const drawn = async (): Promise<number> => (await statsOf(viewer)).viewersDrawn;
+  const drawn = async () => (await statsOf(viewer)).viewersDrawn;
   const taken = await countsOf(page);
   expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 3 }); // of place, of surroundings and of size
   expect(taken.listeners).toBeGreaterThan(0);
@@ -51,9 +51,9 @@ test('render comes once a frame, when a listener can read the new picture from t
   mount,
 }) => {
   const viewer = await mount(reddening(2), small);
-  const turn = (theta: number): Promise<boolean[]> =>
+  const turn = (theta: number) =>
     page.evaluate(async (angle) => {
-      const read = (image: CanvasImageSource): string => {
+      const read = (image: CanvasImageSource) => {
         const context = new OffscreenCanvas(90, 60).getContext('2d')!;
         context.drawImage(image, 0, 0);
         return context.getImageData(0, 0, 90, 60).data.join();
@@ -184,7 +184,7 @@ test('the shared canvas shrinks when a large viewer is removed or out of view', 
     { ...small, css },
   );
   const ofOne = small.width * small.height;
-  const sheet = async (): Promise<number> => (await countsOf(page)).sheetPixels;
+  const sheet = async () => (await countsOf(page)).sheetPixels;
   expect(await sheet()).toBeGreaterThanOrEqual(900 * 600);
   await page.locator('phong-viewer').last().scrollIntoViewIfNeeded();
   await viewer.evaluate((element) => (element.style.display = 'none'));

@@ -162,14 +162,14 @@ test('the page for frames says that it loads nothing from other sites, and that 
 });
 for (const where of ['playground/', 'embed.html']) {
   test(`the viewers of a link to ${where} hold together what one viewer may`, async ({ page }) => {
-    const limitsOf = async (count: number): Promise<number[]> => {
+    const limitsOf = async (count: number) => {
       const viewers = '<phong-viewer alt="part"></phong-viewer>'.repeat(count);
       const link = linkTo(`<phong-compare>${viewers}</phong-compare>`);
       await openLink(page, link.replace('playground/', where));
       await expect(page.locator('phong-viewer[alt=part]')).toHaveCount(count);
       return page.evaluate(() => {
         const all = [...document.querySelectorAll('phong-viewer')];
-        const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
+        const sum = (values: readonly number[]) => values.reduce((a, b) => a + b, 0);
         return [
           sum(all.map(({ maxMemory }) => maxMemory)),
           sum(all.map(({ maxTriangles }) => maxTriangles)),

@@ -99,7 +99,7 @@ test('lights that are drawn can be moved by keys, and the markup below follows; 
   page,
 }) => {
   await open(page, 'guide/see/');
-  const position = (): Promise<string> =>
+  const position = () =>
     page
       .locator('#live-1 phong-viewer')
       .evaluate((viewer: PhongViewer) => viewer.lights[0]!.position.join(' '));

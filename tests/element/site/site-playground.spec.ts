@@ -11,10 +11,9 @@ const SCENE = `<phong-viewer theta="10" phi="70" radius="4" target="0 0 0" gui>
 </phong-viewer>
 `;
 
-const editorOf = (page: Page): Locator =>
-  page.getByRole('textbox', { name: 'Markup of the scene' });
+const editorOf = (page: Page) => page.getByRole('textbox', { name: 'Markup of the scene' });
 
-const textOf = async (page: Page): Promise<string> =>
+const textOf = async (page: Page) =>
   (await editorOf(page).locator('.cm-line').allTextContents()).join('\n');
 
 async function open(page: Page, scene = SCENE): Promise<Locator> {
@@ -257,7 +256,7 @@ test('below 1,100 pixels the panel is under the picture, above them beside it', 
   await viewer.getByText('add light').waitFor();
   const gaps = (): Promise<{ readonly beside: number; readonly under: number }> =>
     viewer.evaluate((element) => {
-      const boxOf = (name: string): DOMRect =>
+      const boxOf = (name: string) =>
         element.shadowRoot!.querySelector(`[part~=${name}]`)!.getBoundingClientRect();
       const [picture, panel] = [boxOf('surface'), boxOf('panel')];
       return { beside: panel.left - picture.right, under: panel.top - picture.bottom };

@@ -42,8 +42,7 @@ async function open(page: Page, path: string): Promise<void> {
   await allReady(page);
 }
 
-const contentOf = (page: Page, selector: string): Promise<string | null> =>
-  page.locator(selector).getAttribute('content');
+const contentOf = (page: Page, selector: string) => page.locator(selector).getAttribute('content');
 
 async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> {
   const tooWide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

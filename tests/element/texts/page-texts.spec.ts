@@ -10,14 +10,14 @@ const de = readyTexts('de');
 type ViewerClass = { texts: Readonly<Record<string, string>> | null };
 
 // `mount` would take a <phong-viewer> in a text for one.
-const script = (texts: string): string =>
+const script = (texts: string) =>
   `<script type="application/json" data-phong-viewer-texts>${texts.replaceAll('<', '\\u003c')}</script>`;
 const viewer = '<phong-viewer geometry="box" view="normals"></phong-viewer>';
 const size = { width: 200, height: 120 };
 
-const legend = (of: Locator): Locator => of.locator('[part=legend]');
+const legend = (of: Locator) => of.locator('[part=legend]');
 
-const assignToPage = (page: Page, texts: Readonly<Record<string, string>> | null): Promise<void> =>
+const assignToPage = (page: Page, texts: Readonly<Record<string, string>> | null) =>
   page.evaluate((value) => {
     (customElements.get('phong-viewer') as unknown as ViewerClass).texts = value;
   }, texts);

@@ -26,7 +26,7 @@ const scene = `<phong-viewer alt="Szene" geometry="box" gui><phong-light name="S
 /**
  * All texts that users see, hear or get as a tooltip: text nodes, and attributes that contain text.
  */
-const textsIn = (viewer: ViewerLocator): Promise<string[]> =>
+const textsIn = (viewer: ViewerLocator) =>
   viewer.evaluate(({ shadowRoot }) => {
     const found: string[] = [];
     for (const element of shadowRoot!.querySelectorAll('*')) {
@@ -45,10 +45,10 @@ const textsIn = (viewer: ViewerLocator): Promise<string[]> =>
   });
 
 /** A text of the viewer itself is in brackets; a sentence for screen readers is several. */
-const isReplaced = (text: string): boolean => /^\[.*\]\.?$/s.test(text);
+const isReplaced = (text: string) => /^\[.*\]\.?$/s.test(text);
 
 /** Waits for the description in the new texts, which follows a second later. */
-const described = (viewer: ViewerLocator): Promise<void> =>
+const described = (viewer: ViewerLocator) =>
   expect.poll(async () => (await textsIn(viewer)).join()).toContain('[Camera: ');
 
 async function openAll(viewer: ViewerLocator): Promise<void> {

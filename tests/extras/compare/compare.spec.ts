@@ -27,10 +27,10 @@ import {
 } from '../../element/support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0" ambient="40" diffuse="180"></phong-light>';
-const sphere = (attributes: string): string =>
+const sphere = (attributes: string) =>
   `<phong-viewer geometry="sphere" segments="12" ${attributes}>${light}</phong-viewer>`;
 const two = sphere('shading="gouraud" alt="Gouraud"') + sphere('alt="Phong"');
-const comparison = (attributes = '', inner = two): string =>
+const comparison = (attributes = '', inner = two) =>
   `<phong-compare ${attributes}>${inner}</phong-compare>`;
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
@@ -45,10 +45,9 @@ async function compared(page: Page, mount: Mount, markup: string, more = ''): Pr
   return compare;
 }
 
-const dividers = (compare: Locator): Locator =>
-  compare.getByRole('separator', { includeHidden: true });
+const dividers = (compare: Locator) => compare.getByRole('separator', { includeHidden: true });
 
-const placeOf = (divider: Locator): Promise<number> =>
+const placeOf = (divider: Locator) =>
   divider.evaluate((element) => Number(element.getAttribute('aria-valuenow')));
 
 const at = (compare: Locator): Promise<unknown> =>
@@ -75,7 +74,7 @@ test('a divider stays while the comparison is hidden, and is let go when the win
   mount,
 }) => {
   const compare = await compared(page, mount, comparison('at="40"'));
-  const pull = (type: string, clientX: number): Promise<void> =>
+  const pull = (type: string, clientX: number) =>
     dividers(compare).dispatchEvent(type, {
       pointerId: 7,
       clientX,
@@ -175,7 +174,7 @@ test('both halves of a split show exactly what each viewer alone shows there', a
   ];
   const bare =
     'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
-  const shot = async (): Promise<Picture> =>
+  const shot = async () =>
     decodePng(await page.screenshot({ clip: { x: 0, y: 0, width: 400, height: 200 } }));
   await compared(page, mount, comparison('at="45"', views.join('')), bare);
   const split = await shot();
@@ -244,11 +243,11 @@ test('a move draws each viewer once, except those that the divider hides', async
 }) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
-  const frames = (): Promise<number[]> =>
+  const frames = () =>
     page.evaluate(() =>
       Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames),
     );
-  const moved = async (): Promise<number[]> => {
+  const moved = async () => {
     const before = await frames();
     for (let i = 0; i < 5; i++) {
       await first.evaluate((element: PhongViewer) => (element.phi += 1));
@@ -307,7 +306,7 @@ test('viewers can be added and removed, and the comparison can move on its page'
 }) => {
   const compare = await compared(page, mount, `<main></main>${comparison('at="30"', '')}`);
   await expect(dividers(compare)).toHaveCount(0);
-  const add = (): Promise<void> =>
+  const add = () =>
     compare.evaluate((element) => {
       const viewer = Object.assign(document.createElement('phong-viewer'), {
         geometry: 'box',
@@ -430,7 +429,7 @@ test('open panels of a split comparison stand beside all pictures, below on a ph
   const boxOf = async (target: Locator) => (await target.boundingBox())!;
   const surfaceOf = (viewer: ViewerLocator) => boxOf(viewer.locator('[part=surface]'));
   /** What the user would press in the middle of a part belongs to it. */
-  const isOnTop = (viewer: ViewerLocator): Promise<boolean> =>
+  const isOnTop = (viewer: ViewerLocator) =>
     panelOf(viewer).evaluate((panel) => {
       const { x, y, width, height } = panel.getBoundingClientRect();
       const root = panel.getRootNode() as ShadowRoot;

@@ -8,10 +8,10 @@ import { nextFrame, settled, assign } from '../../element/support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 60, height: 40 };
-const scene = (inner: string, attributes = ''): string =>
+const scene = (inner: string, attributes = '') =>
   `<phong-viewer geometry="box"${attributes}>${inner}</phong-viewer>`;
-const light = (attributes: string): string => `<phong-light ${attributes}></phong-light>`;
-const mesh = (attributes: string): string => `<phong-mesh ${attributes}></phong-mesh>`;
+const light = (attributes: string) => `<phong-light ${attributes}></phong-light>`;
+const mesh = (attributes: string) => `<phong-mesh ${attributes}></phong-mesh>`;
 
 /** Waits until what could be reported so far has been. */
 async function reported(page: Page, warnings: readonly string[], count: number): Promise<string[]> {
@@ -21,7 +21,7 @@ async function reported(page: Page, warnings: readonly string[], count: number):
   return warnings.map((text) => text.replace('warning: ', '')).sort();
 }
 
-const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
+const claim = (consoleGuard: ConsoleGuard, count: number) =>
   consoleGuard.allow(/^warning: (<p|A <phong-viewer>)/, count);
 
 const LITE =
@@ -118,10 +118,10 @@ test('a viewer without a size is named with the cause, unless something around i
   mount,
   consoleGuard,
 }) => {
-  const box = (style: string): string =>
+  const box = (style: string) =>
     `<phong-viewer alt="" geometry="box" style="${style}"></phong-viewer>`;
-  const hint = (side: string): string => `Set a ${side} in CSS, such as ${side}: 300px.`;
-  const flat = (side: string): string => `<phong-viewer> has the ${side} 0, so nothing is seen.`;
+  const hint = (side: string) => `Set a ${side} in CSS, such as ${side}: 300px.`;
+  const flat = (side: string) => `<phong-viewer> has the ${side} 0, so nothing is seen.`;
   const openAndClose = `customElements.whenDefined('phong-viewer').then(async () => {
     await lid.ready;
     lid.style.height = '40px';
@@ -218,7 +218,7 @@ test('correct markup gives no warning, and does not fetch the code for mistakes'
   await nextFrame(page);
 });
 
-const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
+const chunkOf = (site: Site) => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
 
 test('the code that knows mistakes may fail without consequences', async ({
   page,

@@ -1,7 +1,7 @@
 // Is <phong-exercise> a part of a page like others: form, keyboard, screen reader, phone, paper,
 // languages, strict policy, and what happens to a context that is lost?
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
 import { axeOn } from '../../support/axe.js';
 import { patch } from '../../support/gltf.js';
@@ -12,14 +12,13 @@ import { RIGHT, WRONG_ONES } from './functions.js';
 const css = 'phong-viewer { display: block; width: 150px; height: 100px }';
 const lamp = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus">
   <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light></phong-viewer>`;
-const exercise = (attributes: string, source: string): string =>
+const exercise = (attributes: string, source: string) =>
   `<phong-exercise for="v" ${attributes}><script type="text/plain">\n${source}\n</script></phong-exercise>`;
 const GLOWING = patch({ material: { emissiveFactor: [0.2, 0.1, 0] } });
 const NO_CLAMP = WRONG_ONES['no-clamp']!['plain dot']!;
 
-const textArea = (page: Page): Locator =>
-  page.locator('phong-exercise').first().getByRole('textbox');
-const verdict = (page: Page): Locator => page.locator('[part=verdict]').first();
+const textArea = (page: Page) => page.locator('phong-exercise').first().getByRole('textbox');
+const verdict = (page: Page) => page.locator('[part=verdict]').first();
 
 async function runFirst(page: Page, name = 'Run'): Promise<void> {
   await page.getByRole('button', { name, exact: true }).first().click();
@@ -115,7 +114,7 @@ test('is a control of a form: value, required, reset, disabled', async ({ mount,
   );
   await expect(textArea(page)).toBeVisible();
   const form = page.locator('form');
-  const valid = (): Promise<boolean> => form.evaluate((f: HTMLFormElement) => f.checkValidity());
+  const valid = () => form.evaluate((f: HTMLFormElement) => f.checkValidity());
   const sent = (): Promise<unknown> =>
     form.evaluate((f: HTMLFormElement) => new FormData(f).get('phong'));
   expect(await valid()).toBe(false);
@@ -186,7 +185,7 @@ test('several on a page, by keyboard, under a strict policy, in Portuguese, on a
   await expect(boxes).toHaveCount(2);
   // A screen reader tells exercises apart by their viewers.
   await page.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('alt', 'Um toro'));
-  const named = async (): Promise<number> =>
+  const named = async () =>
     (await accessibleNodes(page)).filter(({ role, name }) => role === 'group' && name === 'Um toro')
       .length;
   await expect.poll(named).toBe(2);

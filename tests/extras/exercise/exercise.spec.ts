@@ -26,7 +26,7 @@ interface Check {
 }
 
 /** Writes a function, presses run, and waits for the verdict. */
-const checkOf = (exercise: Locator, source: string): Promise<Check> =>
+const checkOf = (exercise: Locator, source: string) =>
   exercise.evaluate(
     (element, text) =>
       new Promise<Check>((resolve) => {

@@ -4,7 +4,7 @@ import { expect, test } from '../../support/test.js';
 import type { PhongViewerEventMap } from '../../../src/viewer/index.js';
 
 /** A floor below a lamp at 60 degrees, 2 away, seen from above. */
-const scene = (attributes: string): string =>
+const scene = (attributes: string) =>
   `<phong-viewer alt="A floor" geometry="plane" theta="0" phi="30" radius="4" target="0 0 0" ka="255" kd="200" ks="255" probe-at="0 0 0" ${attributes}>
      <phong-light name="lamp" position="1.7320508 1 0 1" ambient="51" diffuse="204" specular="128" attenuation="1 0 0.75"></phong-light></phong-viewer>`;
 
@@ -13,7 +13,7 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
 }) => {
   const viewer = await mount(scene(''));
   const [drawn, pixel, hidden, away, none] = await viewer.evaluate(async (element) => {
-    const red = async (point: [number, number, number]): Promise<number | null> =>
+    const red = async (point: [number, number, number]) =>
       (await element.explain(point))?.sum[0] ?? null;
     const [x, y] = [element.clientWidth / 2, element.clientHeight / 2];
     const drawn = await red([0, 0, 0]);
@@ -53,7 +53,7 @@ test('`probe-change` is the same with and without `probe`, and inside CSS zoom',
     // A point that was being explained before the change is told first.
     const next = (change: { kd?: readonly number[]; probe?: boolean }): Promise<Detail> =>
       new Promise((resolve) => {
-        const heard = ({ detail }: PhongViewerEventMap['probe-change']): void => {
+        const heard = ({ detail }: PhongViewerEventMap['probe-change']) => {
           const kd = detail.fragment?.kd[0];
           if (change.kd && kd !== undefined && Math.abs(255 * kd - change.kd[0]!) > 1) return;
           element.removeEventListener('probe-change', heard);

@@ -121,7 +121,7 @@ describe('the pick', () => {
       new Sprite(),
     ]) {
       scene.add(foreign);
-      const isNull = ([x, z]: readonly [number, number]): boolean => {
+      const isNull = ([x, z]: readonly [number, number]) => {
         foreign.position.set(x, 0, z);
         return look() === null;
       };
@@ -210,7 +210,7 @@ describe('the surface nearest to a point', () => {
       const share = Math.sqrt((k * 0.7548776662) % 1);
       const across = (k * 0.5698402909) % 1;
       const weights: Vec3 = [1 - share, share * (1 - across), share * across];
-      const along = (axis: number): number =>
+      const along = (axis: number) =>
         dot(
           weights,
           [0, 1, 2].map((corner) =>
@@ -255,7 +255,7 @@ describe('the surface nearest to a point', () => {
 });
 
 describe('the corners of what was picked', () => {
-  const normalsOf = (): number[][] => cornersOf(look()!).map(({ N }) => N.map((x) => x + 0));
+  const normalsOf = () => cornersOf(look()!).map(({ N }) => N.map((x) => x + 0));
 
   it('have unit normals on the side that is seen, mirrored, flattened and from behind too', () => {
     const mesh = wall();
@@ -347,7 +347,7 @@ describe('a search in a pile of triangles', () => {
       }
     }
     vi.stubGlobal('MessageChannel', CountedChannel);
-    const tasksWith = async (copies: number): Promise<number> => {
+    const tasksWith = async (copies: number) => {
       const { mesh } = pile(copies);
       tasks = 0;
       const whole = { scene: snapshotThrough(), width: SIZE, height: SIZE, lights: [] };

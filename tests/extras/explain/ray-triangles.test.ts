@@ -42,7 +42,7 @@ function rayAt(
 }
 
 /** Where the ray is at a depth, relative to the target. */
-const placeOf = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
+const placeOf = ({ frame, slopeX, slopeY }: ViewRay, depth: number) =>
   add(
     frame.eye,
     scale(subtract(add(scale(frame.right, slopeX), scale(frame.up, slopeY)), frame.back), depth),
@@ -56,7 +56,7 @@ function hitsOf(
 ) {
   const hits: TriangleHit[] = [];
   const corners = (geometry.index ?? geometry.getAttribute('position')).count;
-  const keepNone = (_depth: number, _front: boolean, read: () => TriangleHit): boolean => {
+  const keepNone = (_depth: number, _front: boolean, read: () => TriangleHit) => {
     hits.push(read());
     return false;
   };
@@ -64,7 +64,7 @@ function hitsOf(
   return hits.sort((a, b) => a.depth - b.depth);
 }
 
-const triangles = (values: readonly number[]): BufferGeometry =>
+const triangles = (values: readonly number[]) =>
   new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
 
 /**
@@ -97,7 +97,7 @@ describe('a ray through triangles', () => {
           }
           const position = geometry.getAttribute('position');
           placeOf(ray, depth).forEach((wanted, axis) => {
-            const read = (corner: number): number => position.getComponent(corner, axis);
+            const read = (corner: number) => position.getComponent(corner, axis);
             expect(dot(weights, [read(a), read(b), read(c)])).toBeCloseTo(wanted, 6);
           });
         }
@@ -189,15 +189,14 @@ describe('a ray through triangles', () => {
 
   it('hits only what lies between near and far, measured as depth and not along the ray, and before the eye', () => {
     const wall = new PlaneGeometry(100, 100);
-    const at = (near: number, far: number): number =>
-      hitsOf({ ...rayAt(3, 2), near, far }, wall).length;
+    const at = (near: number, far: number) => hitsOf({ ...rayAt(3, 2), near, far }, wall).length;
     expect([at(2.9, 3.1), at(3.1, 100), at(0.1, 2.9)]).toEqual([1, 0, 0]);
     expect(hitsOf(rayAt(0, 0), wall, new Matrix4().makeTranslation(0, 0, 4))).toEqual([]);
   });
 
   it('numbers triangles in drawing order, within the draw range', () => {
     const square = new PlaneGeometry(2, 2); // two triangles, the second right below
-    const numbers = (...range: [number, number]): number[] =>
+    const numbers = (...range: [number, number]) =>
       hitsOf(rayAt(0.2, -0.2), square, undefined, range).map(({ triangle }) => triangle);
     expect([numbers(0, 6), numbers(0, 3), numbers(3, 5), numbers(3, 6)]).toEqual([
       [1],
@@ -225,7 +224,7 @@ describe('a ray through triangles', () => {
         const geometry = triangles(at);
         const range = [start, Math.min(start + length, 2100)] as [number, number];
         /** Each triangle as a geometry of its own. */
-        const oneByOne = (values: ArrayLike<number>): number[] => {
+        const oneByOne = (values: ArrayLike<number>) => {
           const found: number[] = [];
           for (let corner = start; corner + 2 < range[1]; corner += 3) {
             const alone = triangles(Array.from({ length: 9 }, (_, i) => values[3 * corner + i]!));
@@ -235,9 +234,9 @@ describe('a ray through triangles', () => {
           }
           return found;
         };
-        const met = (): number[] => {
+        const met = () => {
           const found: number[] = [];
-          const keepAll = (_depth: number, _front: boolean, read: () => TriangleHit): boolean => {
+          const keepAll = (_depth: number, _front: boolean, read: () => TriangleHit) => {
             found.push(read().triangle);
             return true;
           };
@@ -273,7 +272,7 @@ it('the point that is nearest to a place lies on a triangle, none is nearer, und
       const position = geometry.getAttribute('position');
       const corner = (i: number): Vec3 =>
         new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix).toArray();
-      const mixed = (weights: Vec3, [a, b, c]: readonly [number, number, number]): Vec3 =>
+      const mixed = (weights: Vec3, [a, b, c]: readonly [number, number, number]) =>
         add(
           add(scale(corner(a), weights[0]), scale(corner(b), weights[1])),
           scale(corner(c), weights[2]),

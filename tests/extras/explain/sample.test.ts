@@ -40,7 +40,7 @@ const sampler = (
 });
 
 /** Column and row, or what lies between them. */
-const at = (map: Sampler, u: number, v: number): number[] =>
+const at = (map: Sampler, u: number, v: number) =>
   sampleTexture(texels, map, u, v)
     .slice(0, 2)
     .map((x) => Math.round(x * 255 * 1e9) / 1e9);
@@ -69,7 +69,7 @@ describe('a texture', () => {
   });
 
   it('is interpolated between the centres of texels, also across its borders', () => {
-    const linear = (wrap: Wrapping): Sampler => sampler(wrap, LinearFilter);
+    const linear = (wrap: Wrapping) => sampler(wrap, LinearFilter);
     expect(at(linear(ClampToEdgeWrapping), 1.5 / 4, 0.25)).toEqual([1, 0]);
     expect(at(linear(ClampToEdgeWrapping), 1.75 / 4, 0.25 + 0.05)).toEqual([1.25, 0.1]);
     expect(at(linear(ClampToEdgeWrapping), 0, 0)).toEqual([0, 0]);
@@ -98,7 +98,7 @@ describe('a texture with two filters', () => {
     min: MinificationTextureFilter,
     texels: number,
     turn = 0,
-  ): boolean => {
+  ) => {
     const geometry = new PlaneGeometry(2, 2);
     const image = { width: 64, height: 64 };
     const map = Object.assign(new Texture(image), { magFilter: mag, minFilter: min });

@@ -157,7 +157,7 @@ test.describe('shadeAt explains the picture', () => {
       );
       const all = await comparedWithPicture(viewer, 3);
       // A sixteenth of a pixel changes a steep texture by more than a code.
-      const excess = ({ drawn, explained, steepness }: Compared): number =>
+      const excess = ({ drawn, explained, steepness }: Compared) =>
         Math.max(...explained.map((x, i) => Math.abs(Math.round(x) - drawn[i]!))) - steepness / 16;
       const [filtered, others] = [true, false].map((is) =>
         all.filter((here) => here.filtered === is).map(excess),
@@ -251,7 +251,7 @@ function texturedModel(magFilter: number, wrap: typeof MIRRORED, alphaMode: stri
   return `data:model/gltf+json,${encodeURIComponent(JSON.stringify(document))}`;
 }
 
-const model = (src: string, interpolation = 'srgb'): string =>
+const model = (src: string, interpolation = 'srgb') =>
   `<phong-viewer src="${src}" color-interpolation="${interpolation}" theta="20" phi="75" radius="1.1">
      <phong-light position="0.3 0.3 1 1" ambient="60" specular="40"></phong-light>
    </phong-viewer>`;

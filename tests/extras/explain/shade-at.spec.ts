@@ -25,7 +25,7 @@ const DIFFUSE = 0.2 * (0.4 * HALF + DECAY / 3 + 0.4);
 const OTHER_TERMS = DIFFUSE + 0.4 * (0.5 + DECAY / 3 + 0.2);
 
 /** A floor around the world's origin, seen from straight above by an eye 3 over it. */
-const floor = (lights = '', attributes = ''): string =>
+const floor = (lights = '', attributes = '') =>
   `<phong-viewer theta="0" phi="0" radius="3" target="0 0 0" fov="40" ${attributes}>
      <phong-mesh name="floor" geometry="plane" position="0 0 0" scale="2" ka="255 204 0" kd="51" ks="102" shininess="2"></phong-mesh>
      ${lights}
@@ -194,7 +194,7 @@ test.describe('shadeAt returns', () => {
 
   test('the fragment at a pixel’s centre, or with `exact` the very point', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS), FLOOR);
-    const place = (x: number, options = {}): Promise<number> =>
+    const place = (x: number, options = {}) =>
       viewer.evaluate(
         async (element, given) => (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
         { x, options },
@@ -209,7 +209,7 @@ test.describe('shadeAt returns', () => {
   });
 });
 
-const decoded = (x: number): number => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+const decoded = (x: number) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
 test.describe('shadeAt is null', () => {
   test('beside the shape and beside the picture', async ({ mount }) => {

@@ -17,7 +17,7 @@ import { repository } from '../../support/repository.mjs';
 const components = join(outputFolder('dist'), 'react.js');
 
 /** A component `App`. Its buttons say what they do. */
-const app = (file: string): string => `
+const app = (file: string) => `
   import { createElement as h, useEffect, useRef, useState } from 'react';
   import { PhongLight, PhongMesh, PhongViewer } from ${JSON.stringify(file)};
 
@@ -49,7 +49,7 @@ const app = (file: string): string => `
 `;
 
 /** The markup that a server sends. */
-const renderedByServer = (): string =>
+const renderedByServer = () =>
   execFileSync(
     process.execPath,
     [
@@ -68,7 +68,7 @@ test.describe.configure({ mode: 'default' });
 let script: Promise<string> | undefined;
 
 /** Hydrates what is in the root, or renders into an empty one. */
-const renderedByClient = (): Promise<string> =>
+const renderedByClient = () =>
   (script ??= bundleOf(
     `${app(components)}
     import { createRoot, hydrateRoot } from 'react-dom/client';

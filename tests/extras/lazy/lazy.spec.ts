@@ -23,17 +23,16 @@ const POSTER = `<img slot="poster" src="${IMAGE}" width="300" height="200" alt="
 const BALL = 'geometry="sphere" radius="3" target="0 0 0"';
 const ELEMENTS = 'phong-viewer.standalone.js';
 
-const figure = (attributes = '', inner = ''): string =>
+const figure = (attributes = '', inner = '') =>
   `<phong-viewer ${BALL} ${attributes}>${POSTER}${inner}</phong-viewer>`;
-const isDefined = (page: Page): Promise<boolean> =>
+const isDefined = (page: Page) =>
   page.evaluate(() => customElements.get('phong-viewer') !== undefined);
-const thetaOf = async (page: Page): Promise<number> =>
-  (await cameraOf(page.locator('phong-viewer').first())).theta;
+const thetaOf = async (page: Page) => (await cameraOf(page.locator('phong-viewer').first())).theta;
 const waitForPicture = (page: Page): Promise<unknown> =>
   page.waitForFunction(() => document.querySelector<PhongViewer>('phong-viewer')!.loaded);
 
 /** Keeps the elements from the page until the returned function is called. */
-const holdElements = (page: Page): Promise<() => void> => holdBack(page, `**/${ELEMENTS}`);
+const holdElements = (page: Page) => holdBack(page, `**/${ELEMENTS}`);
 
 test('the file has at most 2 kB, and a page with ten figures fetches nothing else before a touch', async ({
   page,
@@ -78,7 +77,7 @@ test('the drag that asks for the elements turns the viewer by what the pointer h
   expect(await isDefined(page)).toBe(false);
   send();
   await waitForPicture(page);
-  const camera = async (): Promise<number[]> => {
+  const camera = async () => {
     const { theta, phi } = await cameraOf(page.locator('phong-viewer'));
     return [theta, phi];
   };
@@ -284,7 +283,7 @@ test('a poster by the command differs from the picture that takes over only at o
   let inside = 0;
   let apart = 0;
   const { width } = before;
-  const isFlat = (at: number): boolean =>
+  const isFlat = (at: number) =>
     [-4, 4, -4 * width, 4 * width].every((step) =>
       [0, 1, 2].every((k) => Math.abs(before.data[at + k]! - before.data[at + step + k]!) < 12),
     );
@@ -302,7 +301,7 @@ test('a poster by the command differs from the picture that takes over only at o
   expect(apart).toBe(0);
 });
 
-const app = (file: string): string => `
+const app = (file: string) => `
   import { createElement as h } from 'react';
   import { PhongLight, PhongViewer } from ${JSON.stringify(file)};
   const App = () => h(PhongViewer, { alt: 'A ball', geometry: 'sphere', gui: false, poster: ${JSON.stringify(IMAGE)} },

@@ -11,11 +11,11 @@ import { assign, cameraOf, nextFrame } from '../../element/support/viewer.js';
 const SIZE = { width: 160, height: 120 };
 const BAR = addressOf(bar());
 const LIGHT = '<phong-light position="1 2 3 0" ambient="30" specular="90"></phong-light>';
-const viewerOf = (attributes: string, children = LIGHT): string =>
+const viewerOf = (attributes: string, children = LIGHT) =>
   `<phong-viewer src="${BAR}" ${attributes}>${children}</phong-viewer>`;
 
 /** Waits until this many more frames have been drawn. */
-const played = (viewer: ViewerLocator, count = 3): Promise<void> =>
+const played = (viewer: ViewerLocator, count = 3) =>
   viewer.evaluate(async (element, more) => {
     const end = element.stats.frames + more;
     while (element.stats.frames < end) {
@@ -71,7 +71,7 @@ test('`auto` frames all poses at the keys: a model that grows or slides stays in
 }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   /** The least distance of the picture from its edge while it plays, in pixels. */
-  const margin = (): Promise<number> =>
+  const margin = () =>
     viewer.evaluate(async (element) => {
       let least = Infinity;
       for (const end = performance.now() + 2100; performance.now() < end;) {
@@ -148,7 +148,7 @@ test('lights are culled by the pose of the last frame', async ({ page, mount }) 
   // within a second.
   const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
   const viewer = await mount(viewerOf('autoplay animation-name="slide"', LIGHT + spot), SIZE);
-  const reached = (count: number): Promise<void> =>
+  const reached = (count: number) =>
     viewer.evaluate(async (element, wanted) => {
       while (element.stats.lightsSent !== wanted) {
         await new Promise(requestAnimationFrame);

@@ -10,7 +10,6 @@ import {
   compare,
   expect,
   pixels,
-  type Picture,
   strictPolicy,
   same,
   test,
@@ -38,7 +37,7 @@ async function shown(page: Page, markup: string): Promise<Locator> {
 }
 
 /** `load`, or the code and message of the error. */
-const outcomeOf = (viewer: ViewerLocator, src: string): Promise<string> =>
+const outcomeOf = (viewer: ViewerLocator, src: string) =>
   viewer.evaluate(
     (element, address) =>
       new Promise<string>((resolve) => {
@@ -72,8 +71,7 @@ const fingerprint = (viewer: ViewerLocator): Promise<readonly string[]> =>
     return found;
   });
 
-const loaded = (viewer: ViewerLocator): Promise<boolean> =>
-  viewer.evaluate((element) => element.loaded);
+const loaded = (viewer: ViewerLocator) => viewer.evaluate((element) => element.loaded);
 
 /** Every worker that has started on the page. */
 function workersOf(page: Page): readonly string[] {
@@ -181,13 +179,13 @@ test('an idle worker ends', async ({ page }) => {
 test.describe('a KTX2 texture', () => {
   // textured.glb has the same texels in a PNG.
   const ktx2 = { width: 120, height: 90, csp: wasmPolicy };
-  const model = (name: string): string => `/fixtures/models/${name}`;
-  const sceneOf = (name: string): string =>
+  const model = (name: string) => `/fixtures/models/${name}`;
+  const sceneOf = (name: string) =>
     `<phong-viewer src="${model(name)}" theta="0" phi="90" ka="255" kd="0" ks="0">
       <phong-light ambient="255 255 255"></phong-light></phong-viewer>`;
 
   test('from the worker has exactly the texels of its file', async ({ page }) => {
-    const pictureOf = async (name: string): Promise<Picture> => {
+    const pictureOf = async (name: string) => {
       const viewer = await shown(page, sceneOf(name));
       await settled(viewer);
       return pixels(viewer, { width: 120, height: 90 });
@@ -210,7 +208,7 @@ test.describe('a KTX2 texture', () => {
     const requested = requestsOf(page);
     const viewer = await mount(sceneOf('ktx2.glb'), ktx2);
     // One file is both: the worker asks for it first, then the page.
-    const ofDecoder = (): number => requested.filter((url) => /ktx2-worker/.test(url)).length;
+    const ofDecoder = () => requested.filter((url) => /ktx2-worker/.test(url)).length;
     await expect.poll(ofDecoder).toBe(2);
     same(await pixels(viewer), png);
     const color = await viewer.evaluate(async (element) => (await element.shadeAt(50, 40))?.color);

@@ -83,7 +83,7 @@ describe('a download', () => {
       const { ended } = download('/cut-off');
       expect(await ended).toMatchObject(failed('The server answered 404 Not Found for cut-off.'));
     }
-    const cancel = (): Promise<never> => Promise.reject(new TypeError('network error'));
+    const cancel = () => Promise.reject(new TypeError('network error'));
     const body = new ReadableStream({ cancel });
     vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { status: 404 }));
     const { ended } = download('/gone.glb');
@@ -135,7 +135,7 @@ describe('a download', () => {
     const [fetch, half] = [vi.spyOn(globalThis, 'fetch'), SILENCE_LIMIT_MS / 2];
     const later = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
     let left = 5;
-    const pull = (body: ReadableStreamDefaultController<Uint8Array>): Promise<void> =>
+    const pull = (body: ReadableStreamDefaultController<Uint8Array>) =>
       later(half).then(() => (--left > 0 ? body.enqueue(new Uint8Array(1)) : body.close()));
     fetch.mockResolvedValueOnce(new Response(new ReadableStream({ pull })));
     fetch.mockReturnValueOnce(later(3 * half).then(() => new Response('late')));

@@ -17,12 +17,12 @@ import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 400, height: 200 };
 const folder = fileURLToPath(new URL('../../fixtures/models', import.meta.url));
-const model = (name: string): string => `/fixtures/models/${name}`;
+const model = (name: string) => `/fixtures/models/${name}`;
 /** The eye sees 2.31 × 4.62 units of the plane z = 0; one light of full strength along the view. */
 const straight = 'theta="0" phi="90" radius="2" target="0 0 0" fov="60"';
 const light =
   '<phong-light position="0 0 1 0" ambient="255 255 255" diffuse="255 255 255"></phong-light>';
-const viewerOf = (attributes: string, inner = ''): string =>
+const viewerOf = (attributes: string, inner = '') =>
   `<phong-viewer ${straight} ${attributes}>${light}${inner}</phong-viewer>`;
 
 /** The colour at a point of the plane z = 0. */
@@ -57,14 +57,14 @@ async function filesIn(
 }
 
 /** Sets `src` to the first of those files, or to a Blob of the same bytes. */
-const setFile = (element: Locator, blob = false): Promise<void> =>
+const setFile = (element: Locator, blob = false) =>
   element.evaluate((target: PhongViewer | PhongMesh, asBlob) => {
     const [file] = Reflect.get(window, 'files') as [File];
     target.src = asBlob ? new Blob([file]) : file;
   }, blob);
 
 /** Drops the page's files on the viewer. Returns whether the event was used. */
-const dropFiles = (viewer: ViewerLocator): Promise<{ taken: boolean }> =>
+const dropFiles = (viewer: ViewerLocator) =>
   viewer.evaluate((element) => {
     const dataTransfer = new DataTransfer();
     for (const file of Reflect.get(window, 'files') as File[]) {
@@ -99,14 +99,13 @@ async function outcomeOf(viewer: ViewerLocator, act: () => Promise<unknown>): Pr
   const events = await record(viewer, 'load', 'error');
   await act();
   const heard: Outcome[] = [];
-  const more = async (): Promise<number> => heard.push(...((await events.take()) as Outcome[]));
+  const more = async () => heard.push(...((await events.take()) as Outcome[]));
   await expect.poll(more).toBe(1);
   await settled(viewer);
   return heard[0]!;
 }
 
-const drop = (viewer: ViewerLocator): Promise<Outcome> =>
-  outcomeOf(viewer, () => dropFiles(viewer));
+const drop = (viewer: ViewerLocator) => outcomeOf(viewer, () => dropFiles(viewer));
 
 test('an OBJ file shows the coefficients of its MTL file, and its texture the right way up', async ({
   mount,
@@ -245,7 +244,7 @@ test.describe('a droppable viewer', () => {
     const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) =>
       viewer.locator(`[part=${part}]`),
     );
-    const fail = async (): Promise<void> => {
+    const fail = async () => {
       await filesIn(page, ['truncated.glb']);
       const { detail } = await drop(viewer);
       expect(detail.code).toBe('bad-model');
@@ -304,7 +303,7 @@ test.describe('a droppable viewer', () => {
       viewerOf(`droppable gui src="${address}"`, '<phong-mesh></phong-mesh>'),
       { width: 700, height: 300 },
     );
-    const sourceOf = (element: Locator): Promise<string> =>
+    const sourceOf = (element: Locator) =>
       element.evaluate(({ src }: PhongViewer) => (typeof src === 'string' ? src : 'a file'));
     const loads = requestsOf(page);
     const close = viewer.locator('[part=dismiss]');

@@ -63,8 +63,8 @@ async function slowDown(page: Page, sizeIsKnown = true): Promise<void> {
 }
 
 const slow = `${model}?slow`;
-const barOf = (viewer: ViewerLocator): Locator => viewer.getByRole('progressbar');
-const delayOver = (page: Page): Promise<void> =>
+const barOf = (viewer: ViewerLocator) => viewer.getByRole('progressbar');
+const delayOver = (page: Page) =>
   page.evaluate(() => {
     for (const run of window.loads.timers.values()) {
       run();
@@ -93,7 +93,7 @@ const axeViolations = async (page: Page): Promise<string[]> => {
   const { violations } = await axeOn(page).include('phong-viewer').analyze();
   return violations.map(({ id }) => id);
 };
-const statesOf = (viewer: ViewerLocator): Promise<string[]> =>
+const statesOf = (viewer: ViewerLocator) =>
   viewer.evaluate((element) =>
     ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
   );
@@ -136,8 +136,7 @@ test('the bar of an unknown size moves, except with reduced motion; paper shows 
   await sendNext(page);
   await expect(barOf(viewer)).toBeVisible();
   await expect(barOf(viewer)).not.toHaveAttribute('aria-valuenow');
-  const animations = (): Promise<number> =>
-    viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
+  const animations = () => viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
   expect(await animations()).toBe(1);
   await page.emulateMedia({ reducedMotion: 'reduce' });
   expect(await animations()).toBe(0);
@@ -173,7 +172,7 @@ test('CSS can select viewers that are loading, failed or empty', async ({
   expect(await statesOf(viewer)).toEqual(['empty']);
   await assign(viewer, { src: slow });
   await expect.poll(() => statesOf(viewer)).toEqual(['loading']);
-  const timers = (): Promise<number> => page.evaluate(() => window.loads.timers.size);
+  const timers = () => page.evaluate(() => window.loads.timers.size);
   await expect.poll(timers).toBe(1);
   await sendAll(page, viewer);
   expect(await statesOf(viewer)).toEqual([]);
@@ -390,7 +389,7 @@ test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the pan
     const [ground, empty, full] = await barOf(viewer).evaluate((bar, value) => {
       document.documentElement.style.colorScheme = value;
       const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
-      const green = (color: string): number => {
+      const green = (color: string) => {
         pixel.fillStyle = color;
         pixel.fillRect(0, 0, 1, 1);
         return pixel.getImageData(0, 0, 1, 1).data[1]!;

@@ -8,7 +8,7 @@ import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
-const model = (name: string): string => `/fixtures/models/${name}`;
+const model = (name: string) => `/fixtures/models/${name}`;
 
 test('the bunny is shown, with progress up to 1 and then one load', async ({ page, mount }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', size);

@@ -207,7 +207,7 @@ describe('textures', () => {
         extensionsUsed: ['KHR_texture_transform'],
       },
     );
-    const usedBy = (map: 'map' | 'metalRoughMap' | 'emissiveMap' | 'normalMap'): number => {
+    const usedBy = (map: 'map' | 'metalRoughMap' | 'emissiveMap' | 'normalMap') => {
       const channel = model.parts[0]?.look[map]?.channel ?? NaN;
       return numbersOf(model, channel === 0 ? 'uv' : `uv${channel}`)[0]!;
     };
@@ -434,7 +434,7 @@ function skinned(
   more: Json = {},
   blobs: readonly Float32Array[] = [],
 ): Promise<Content> {
-  const of = (corner: number): number => Math.min(corner, joints.length - 1);
+  const of = (corner: number) => Math.min(corner, joints.length - 1);
   const indices = new Uint8Array([0, 1, 2].flatMap((corner) => [of(corner), 0, 0, 0]));
   return gltf(
     [
@@ -472,7 +472,7 @@ function facing(model: Content): number {
   const positions = numbersOf(model, 'position');
   const order = indexOf(model);
   const [a = 0, b = 1, c = 2] = order.length > 0 ? order : [0, 1, 2];
-  const edge = (to: number, k: number): number => positions[to * 3 + k]! - positions[a * 3 + k]!;
+  const edge = (to: number, k: number) => positions[to * 3 + k]! - positions[a * 3 + k]!;
   return edge(b, 0) * edge(c, 1) - edge(b, 1) * edge(c, 0);
 }
 
@@ -529,11 +529,7 @@ describe('mirrored joints', () => {
 
 describe('normals without direction', () => {
   /** Two triangles of a square, and the normals of its four corners. */
-  const square = (
-    normals: readonly number[],
-    order: readonly number[],
-    more: Json = {},
-  ): Promise<Content> =>
+  const square = (normals: readonly number[], order: readonly number[], more: Json = {}) =>
     gltf(
       [
         new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),

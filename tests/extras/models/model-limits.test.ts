@@ -26,7 +26,7 @@ const NATIVE = Float32Array;
  */
 async function outcome(file: Buffer | Blob): Promise<string> {
   let allocated = 0;
-  const construct = (target: Float32ArrayConstructor, args: [number]): Float32Array => {
+  const construct = (target: Float32ArrayConstructor, args: [number]) => {
     if (typeof args[0] === 'number') {
       expect((allocated += args[0])).toBeLessThanOrEqual(LIMITS.values);
     }
@@ -208,7 +208,7 @@ describe('parts', () => {
 
 describe('images', () => {
   const decode = vi.fn((blob: Blob, _options: ImageBitmapOptions) => bitmapOf(blob));
-  const png = (width: number, height: number): Buffer =>
+  const png = (width: number, height: number) =>
     pngWith(width, height, 32, deflateSync(Buffer.alloc(10)));
 
   beforeEach(() => {
@@ -400,7 +400,7 @@ describe('text', () => {
 });
 
 describe('documents that are wrong', () => {
-  const strided = (byteStride: number | undefined, byteOffset: number): Buffer =>
+  const strided = (byteStride: number | undefined, byteOffset: number) =>
     glbOf(
       hostile.triangleDocument({
         bufferViews: [{ buffer: 0, byteLength: 64, byteStride }],
@@ -410,7 +410,7 @@ describe('documents that are wrong', () => {
       Buffer.alloc(64),
     );
   const multiples = /^bad-model: .*byteOffset and byteStride must be multiples of 4/;
-  const typed = (type: string): Buffer => hostile.triangleGlb({ accessors: [{ ...SOUND, type }] });
+  const typed = (type: string) => hostile.triangleGlb({ accessors: [{ ...SOUND, type }] });
   const unknownType = /accessors\[0\] has an unknown type/;
   const tooDeep = /nodes are nested deeper than 1000 levels|too-large/;
   const odd = JSON.stringify(hostile.triangleDocument()).replace(
@@ -422,7 +422,7 @@ describe('documents that are wrong', () => {
     Array.from({ length: 5000 }, (_, i) => [`name ${String(i)}`, 0]),
   );
   const primitive = { attributes: { POSITION: 0 } };
-  const withPrimitive = (more: Json): Buffer =>
+  const withPrimitive = (more: Json) =>
     hostile.triangleGlb({ meshes: [{ primitives: [{ ...primitive, ...more }] }] });
   const manyTargets = Array<Json>(5000).fill({ POSITION: 0 });
   const deep = JSON.stringify(hostile.triangleDocument({ extras: 0 })).replace(

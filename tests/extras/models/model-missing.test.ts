@@ -4,7 +4,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { droppedModel, modelContent } from '../../../src/extras/models/model-content.js';
 import type { Content } from '../../../src/phong/model/model.js';
-import type { BaseLook } from '../../../src/phong/material/file-surface.js';
 import { floats, type Json, viewsOf } from '../../fuzz/glb.js';
 import { triangleDocument } from '../../fuzz/models.js';
 import {
@@ -79,7 +78,7 @@ describe('a pointer of Git LFS', () => {
   });
 });
 
-const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.map !== null);
+const mapsOf = ({ parts }: Content) => parts.map(({ look }) => look.map !== null);
 
 const broken: readonly (readonly [
   what: string,
@@ -161,7 +160,7 @@ describe('an image', () => {
 });
 
 describe('the factors of a map whose image is missing', () => {
-  const lookOf = async (material: Json): Promise<BaseLook | undefined> =>
+  const lookOf = async (material: Json) =>
     (await loadFiles({ 'a.gltf': gltf({ materials: [material] }) })).parts[0]?.look;
 
   it('do not make all of the surface glow', async () => {

@@ -15,8 +15,7 @@ import { movingCopy } from '../../../src/extras/models/moving-copy.js';
 import { addressOf, bar, type BarOptions } from '../../support/animated-gltf.js';
 import { OPTIONS } from './model-files.js';
 
-const load = (document: object): Promise<Content> =>
-  modelContent(new URL(addressOf(document)), OPTIONS);
+const load = (document: object) => modelContent(new URL(addressOf(document)), OPTIONS);
 
 // three.js's loader reads data: addresses by fetch, and reports progress with this class, which
 // Node does not have.
@@ -206,7 +205,7 @@ describe('a pose', () => {
         { mesh: 0, weights: [1, 0], translation: [5, 0, 0] },
       ],
     });
-    const firstX = (): number[] =>
+    const firstX = () =>
       model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
     expect(firstX()).toEqual([0.25, 0.75]);
     model.motion?.pose('swell', 1);
@@ -307,7 +306,7 @@ describe('nodes, skins and scenes in any arrangement', () => {
 
   it('are shown, or refused because nothing is in the scene', async () => {
     vi.spyOn(console, 'warn').mockReturnValue();
-    const shown = async (arrangement: Arrangement): Promise<void> => {
+    const shown = async (arrangement: Arrangement) => {
       const result: unknown = await load(arranged(arrangement)).catch((error: unknown) => error);
       if (result instanceof Error) {
         expect(result.message).toMatch(/it has no triangles/);
@@ -323,7 +322,7 @@ describe('nodes, skins and scenes in any arrangement', () => {
   });
 
   it('with a joint that is an ancestor of its mesh, or the mesh itself, or has the same mesh without a skin', async () => {
-    const parts = async (arrangement: Arrangement): Promise<number> =>
+    const parts = async (arrangement: Arrangement) =>
       (await load(arranged(arrangement))).parts.length;
     const chain = { parents: [0, 1, -1, -1], roots: [0], joints: [[0, 1], []] };
     expect(await parts({ ...chain, meshes: [-1, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(
@@ -345,11 +344,11 @@ describe('nodes, skins and scenes in any arrangement', () => {
 });
 
 describe('the work of a pose', () => {
-  const loadGlb = async (bytes: Buffer): Promise<Content> =>
+  const loadGlb = async (bytes: Buffer) =>
     modelContent(new URL(`data:model/gltf-binary;base64,${bytes.toString('base64')}`), OPTIONS);
 
   it('is each vertex once, and once more for each target that a key gives a weight', async () => {
-    const workWith = async (weights: readonly number[]): Promise<number> =>
+    const workWith = async (weights: readonly number[]) =>
       (await loadGlb(morphsGlb(3000, weights))).motion!.work;
     const none = await workWith([0, 0, 0]);
     expect(none).toBeGreaterThanOrEqual(3000);
@@ -372,7 +371,7 @@ describe('the work of a pose', () => {
   });
 
   it('counts tracks and joints: thousands of them move one triangle', async () => {
-    const workOf = async (file: Buffer): Promise<number> => (await loadGlb(file)).motion!.work;
+    const workOf = async (file: Buffer) => (await loadGlb(file)).motion!.work;
     const tracks = (await workOf(channelsGlb(2000, 1))) - (await workOf(channelsGlb(1000, 1)));
     expect(tracks).toBeGreaterThanOrEqual(1000 * 3);
     const joints = (await workOf(skinsGlb(200, 1))) - (await workOf(skinsGlb(100, 1)));

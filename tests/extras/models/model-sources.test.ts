@@ -115,7 +115,7 @@ describe('the files that a model names', () => {
 
 describe('data: URIs', () => {
   const decode = (uri: string) => decodeDataUri(uri, new Slices(new AbortController().signal));
-  const decoded = async (uri: string): Promise<number[]> => Array.from((await decode(uri)).bytes);
+  const decoded = async (uri: string) => Array.from((await decode(uri)).bytes);
 
   it('decode to the bytes that were encoded', async () => {
     await fc.assert(
@@ -147,12 +147,11 @@ describe('data: URIs', () => {
 });
 
 describe('formats', () => {
-  const bytes = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
-  const url = (name: string): string => `https://shop.example/${name}`;
+  const bytes = (text: string) => new TextEncoder().encode(text);
+  const url = (name: string) => `https://shop.example/${name}`;
   const supported =
     /^The format is not supported: .*Export it as one that is: glTF \(\.glb, \.gltf\), PLY \(\.ply\), STL \(\.stl\), OBJ \(\.obj\)/;
-  const ascii = (text: string): Uint8Array<ArrayBuffer> =>
-    Uint8Array.from(text, (c) => c.charCodeAt(0));
+  const ascii = (text: string) => Uint8Array.from(text, (c) => c.charCodeAt(0));
   const oneTriangle = new Uint8Array(134);
   oneTriangle[80] = 1;
 

@@ -45,7 +45,7 @@ const CORNERS = [[0, 0], [1, 0], [0, 1], [1, 1]] as const; // oxfmt-ignore
 
 const quad = (N: Vec3, alongU: Vec3, alongV: Vec3): BufferGeometry => {
   const geometry = new BufferGeometry().setIndex([0, 1, 2, 2, 1, 3]);
-  const set = (name: string, of: (u: number, v: number) => readonly number[]): void => {
+  const set = (name: string, of: (u: number, v: number) => readonly number[]) => {
     const values = CORNERS.flatMap(([u, v]) => of(u, v));
     geometry.setAttribute(name, new BufferAttribute(Float32Array.from(values), values.length / 4));
   };

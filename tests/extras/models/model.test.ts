@@ -66,10 +66,10 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-const load = (path: string, options: Partial<ReadOptions> = {}): Promise<Content> =>
+const load = (path: string, options: Partial<ReadOptions> = {}) =>
   modelContent(new URL(path, ORIGIN), { ...OPTIONS, ...options });
 
-const values = (geometry: BufferGeometry, name: string): number[] =>
+const values = (geometry: BufferGeometry, name: string) =>
   Array.from(geometry.getAttribute(name).array);
 
 function onlyPart(model: Content): Content['parts'][number] {
@@ -83,7 +83,7 @@ it('a model compressed by meshopt is the same as without the compression', async
     await load('/fixtures/no-normals.glb'),
   ];
   // The encoder may rotate a triangle's corners, but must not change it.
-  const corners = (model: Content): string[] => {
+  const corners = (model: Content) => {
     const list = values(onlyPart(model).geometry, 'position');
     return list.flatMap((_, i) => (i % 3 === 0 ? [list.slice(i, i + 3).join(' ')] : [])).sort();
   };

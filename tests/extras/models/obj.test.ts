@@ -3,7 +3,6 @@
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { modelContent } from '../../../src/extras/models/model-content.js';
-import type { Content } from '../../../src/phong/model/model.js';
 import type { BaseLook } from '../../../src/phong/material/file-surface.js';
 import type { SurfaceValues } from '../../../src/phong/material/material-values.js';
 import { scale, type Vec3 } from '../../../src/phong/math/vector.js';
@@ -22,7 +21,7 @@ import {
 const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
 const TEXTURED = 'f 1/1 2/1 3/1\n';
 const FACING_Z = [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1];
-const obj = (text: string): Promise<Content> => loadFiles({ 'a.obj': text });
+const obj = (text: string) => loadFiles({ 'a.obj': text });
 
 const warnings = heardWarnings();
 
@@ -55,12 +54,12 @@ describe('the geometry of an OBJ file', () => {
 
   it('is faceted with `s off`, smooth with `s 1`, and has edges at sharp angles if nothing is said', async () => {
     // Two squares that meet at the given angle along the y axis.
-    const bent = (degrees: number): string => {
+    const bent = (degrees: number) => {
       const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
       return `v 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv ${-c} 1 ${-s}\nv ${-c} 0 ${-s}\n`;
     };
     const faces = 'f 1 2 3 4\nf 4 3 5 6\n';
-    const distinct = async (text: string): Promise<number> => {
+    const distinct = async (text: string) => {
       const corners = cornersOf(await obj(text), 'normal').map((normal) => normal.join(' '));
       return new Set(corners).size;
     };
@@ -117,7 +116,7 @@ describe('the geometry of an OBJ file', () => {
     const model = await obj(
       'v 0 0 0\nv 1 0 0 255 127.5 0\nv 0 1 0 1 2 -3\nv 0 2 0\nv 1 2 0 300 51 1e999\nf 1 2 3\nf 1 4 5',
     );
-    const byte = (value: number): number => Math.round((value / 255) * 1e6) / 1e6;
+    const byte = (value: number) => Math.round((value / 255) * 1e6) / 1e6;
     expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [1, 0.5, 0], [byte(1), byte(2), 0]]); // oxfmt-ignore
     expect(cornersOf(model, 'color')[5]).toEqual([1, 0.2, 1]);
     expect(cornersOf(model, 'color')[4]).toEqual([1, 1, 1]);
@@ -142,7 +141,7 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('becomes one part per material where it has thousands of objects', async () => {
-    const screw = (_: unknown, i: number): string =>
+    const screw = (_: unknown, i: number) =>
       `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
     const text = QUAD + Array.from({ length: 1200 }, screw).join('');
     expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([
@@ -202,7 +201,7 @@ describe('the geometry of an OBJ file', () => {
       const quads = Array.from({ length: n * n }, (_, k) => k + 1)
         .filter((k) => k % n !== 0 && k <= n * (n - 1))
         .map((k) => [k, k + 1, k + 1 + n, k + n]);
-      const text = (faces: readonly number[][]): string =>
+      const text = (faces: readonly number[][]) =>
         `${grid.map((v) => `v ${v.join(' ')}\n`).join('')}s 1\n${faces.map((f) => `f ${f.join(' ')}\n`).join('')}`;
       const normalsOf = async (
         faces: readonly number[][],
@@ -243,7 +242,7 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('is refused with a face of more than 65,536 corners', async () => {
-    const face = (corners: number): string => `${QUAD}f${' 1 2 3 4'.repeat(corners / 4)}`;
+    const face = (corners: number) => `${QUAD}f${' 1 2 3 4'.repeat(corners / 4)}`;
     expect((await obj(face(2 ** 16))).parts).toHaveLength(1);
     expect(await failureOf({ 'a.obj': face(2 ** 16 + 4) })).toMatchObject({ code: 'too-large' });
   });
@@ -261,7 +260,7 @@ describe('the geometry of an OBJ file', () => {
 
 describe('the materials of an OBJ file', () => {
   /** As written in the file, in HTML's units. */
-  const inHtml = (...color: Vec3): Vec3 => scale(color, 255);
+  const inHtml = (...color: Vec3) => scale(color, 255);
   const withMtl = async (mtl: string): Promise<Partial<SurfaceValues & BaseLook>> => {
     const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1 2 3`;
     const [part] = (await loadFiles({ 'a.obj': text, 'a.mtl': mtl })).parts;
@@ -513,7 +512,7 @@ describe('the materials of an OBJ file', () => {
   it.each(['utf-16le', 'utf-16be'] as const)(
     'and the geometry can be written in %s',
     async (encoding) => {
-      const encoded = (text: string): Uint8Array<ArrayBuffer> => {
+      const encoded = (text: string) => {
         const bytes = Buffer.from(`\ufeff${text}`, 'utf16le');
         return Uint8Array.from(encoding === 'utf-16le' ? bytes : bytes.swap16());
       };

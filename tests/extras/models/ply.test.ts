@@ -11,10 +11,9 @@ import {
   numbersOf,
 } from './model-files.js';
 
-const header = (...lines: readonly string[]): string =>
+const header = (...lines: readonly string[]) =>
   ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n');
-const axes = (prefix: string): string[] =>
-  ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
+const axes = (prefix: string) => ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
 const xyz = axes('');
 const list = 'property list uchar int vertex_indices';
 /** A header of this many vertices and faces, which may have colours. */
@@ -23,7 +22,7 @@ const mesh = (
   faces: number,
   colors: string[] = [],
   ofFaces: string[] = [],
-): string =>
+) =>
   header(
     `element vertex ${vertices}`,
     ...xyz,
@@ -32,7 +31,7 @@ const mesh = (
     list,
     ...ofFaces,
   );
-const rgb = (type: string, names = ['red', 'green', 'blue']): string[] =>
+const rgb = (type: string, names = ['red', 'green', 'blue']) =>
   names.map((name) => `property ${type} ${name}`);
 const SQUARE = '0 0 0\n1 0 0\n1 1 0\n0 1 0\n';
 const TWO_TRIANGLES = [0, 1, 2, 0, 2, 3];
@@ -151,7 +150,7 @@ describe('a PLY file', () => {
   const GREY = [0.035294, 0.035294, 0.035294];
   const OF_FACES = [RED, RED, RED, BLUE, BLUE, BLUE];
   /** A square that has colours in both. */
-  const both = (color: string): string =>
+  const both = (color: string) =>
     `${mesh(4, 2, rgb('uchar'), rgb('uchar'))}0 0 0 ${color}\n1 0 0 ${color}\n1 1 0 9 9 9\n0 1 0 9 9 9\n` +
     '3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n';
 

@@ -27,7 +27,7 @@ declare global {
 }
 
 /** Makes allocations of Float32Arrays with 10,000 elements or more fail. */
-const limitMemory = (page: Page): Promise<void> =>
+const limitMemory = (page: Page) =>
   page.evaluate(() => {
     const original = window.Float32Array;
     const limited = new Proxy(original, {
@@ -45,13 +45,12 @@ const limitMemory = (page: Page): Promise<void> =>
     });
   });
 
-const giveMemoryBack = (page: Page): Promise<void> => page.evaluate(() => window.giveMemoryBack());
+const giveMemoryBack = (page: Page) => page.evaluate(() => window.giveMemoryBack());
 
-const shows = (viewer: ViewerLocator): Promise<boolean> =>
-  viewer.evaluate((element) => element.loaded);
+const shows = (viewer: ViewerLocator) => viewer.evaluate((element) => element.loaded);
 
 /** Makes the typed array with this number fail, counted from now on over all types. */
-const failArray = (page: Page, failing: number): Promise<void> =>
+const failArray = (page: Page, failing: number) =>
   page.evaluate((nth) => {
     const scope = window as unknown as Record<string, unknown>;
     const types = [
@@ -66,7 +65,7 @@ const failArray = (page: Page, failing: number): Promise<void> =>
     const originals = new Map(names.map((name) => [name, scope[name]]));
     let count = 0;
     /** Arrays find their type in their prototype too, to copy themselves. */
-    const replace = (name: string, type: unknown): void => {
+    const replace = (name: string, type: unknown) => {
       scope[name] = type;
       Object.assign((originals.get(name) as typeof Float32Array).prototype, { constructor: type });
     };
@@ -129,7 +128,7 @@ test('a model is shown flat or ends in too-large, whichever of its typed arrays 
   same(await pixels(viewer), loaded);
 });
 /** Makes buffers of more than 10,000 bytes fail when they are sent to WebGL. */
-const limitBuffers = (page: Page, message: string): Promise<void> =>
+const limitBuffers = (page: Page, message: string) =>
   page.evaluate((text) => {
     const { prototype } = WebGL2RenderingContext;
     const { bufferData } = prototype;

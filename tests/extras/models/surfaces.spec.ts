@@ -11,10 +11,9 @@ const LIGHTS = `
   <phong-light position="-0.6 0.4 1.6 1" diffuse="60 70 80" specular="120"></phong-light>`;
 
 /** The encoded value of a linear one. */
-const encoded = (c: number): number =>
-  c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055;
+const encoded = (c: number) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 
-const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
+const viewerOf = (options: PatchOptions, attributes = '', mesh = '') =>
   `<phong-viewer theta="12" phi="80" target="0 0 0" radius="3.2" ${attributes}>
     <phong-mesh src="${patch(options)}" ${mesh}></phong-mesh>${LIGHTS}
   </phong-viewer>`;
@@ -149,7 +148,7 @@ test('colours are mixed in the light that the file and the viewer ask for, and e
   mount,
 }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
-  const text = (type: string, body: string): string =>
+  const text = (type: string, body: string) =>
     `data:${type};base64,${Buffer.from(body).toString('base64')}`;
   const COLORS = ['1 0 0', '0 1 0'];
   // Red on the left, green on the right.

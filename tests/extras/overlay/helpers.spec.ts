@@ -19,7 +19,7 @@ import {
   htmlOf,
 } from '../../element/support/viewer.js';
 
-const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): string =>
+const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"') =>
   `<phong-viewer alt="A box" helpers geometry="box" ${camera} ${attributes}>${lights}</phong-viewer>`;
 
 const lamp = '<phong-light name="lamp" position="0.5 0.4 0 1"></phong-light>';
@@ -28,7 +28,7 @@ const spot =
   '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
 
 /** The handle whose name begins with this. */
-const handle = (viewer: ViewerLocator, name: string): Locator =>
+const handle = (viewer: ViewerLocator, name: string) =>
   viewer.getByRole('option', { name: new RegExp(`^${name}`) });
 
 const light = (
@@ -40,7 +40,7 @@ const light = (
     return { position, axis, aperture };
   }, index);
 
-const positionOf = async (viewer: ViewerLocator, index = 0): Promise<PhongLight['position']> =>
+const positionOf = async (viewer: ViewerLocator, index = 0) =>
   (await light(viewer, index)).position;
 /** The lamp's. */
 const START = [0.5, 0.4, 0, 1];
@@ -79,7 +79,7 @@ async function dragged(
   return [after.x - x, after.y - y];
 }
 
-const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
+const lengthOf = (v: readonly number[]) => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 test.describe('a light in the picture', () => {
   test('is drawn at its place in the scene, with its name, and dashed behind a shape', async ({
@@ -179,7 +179,7 @@ test.describe('a light in the picture', () => {
      * From the middle of the picture, in pixels: 200 are as many units as the distance from the
      * eye.
      */
-    const offset = async (): Promise<number> => {
+    const offset = async () => {
       const { x, y } = await middleOf(handle(viewer, 'spot: edge'));
       return Math.hypot(x - 300, y - 200);
     };
@@ -432,7 +432,7 @@ test.describe('a viewer with helpers', () => {
       observer.observe(layer, { subtree: true, attributes: true, childList: true });
       return nodes;
     });
-    const count = (): Promise<number> => written.evaluate(({ size }) => size);
+    const count = () => written.evaluate(({ size }) => size);
     do {
       await written.evaluate((nodes) => nodes.clear());
       for (let i = 0; i < 2; i++) {

@@ -74,8 +74,7 @@ it('labels stay inside and never overlap, however many points there are', () => 
   );
 });
 
-const contrast = (a: number, b: number): number =>
-  (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+const contrast = (a: number, b: number) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
 it('of a core and its black outline, one has a contrast of 3:1 with any background, for a light of any colour', () => {
   const channel = fc.double({ min: 0, max: 4, noNaN: true });

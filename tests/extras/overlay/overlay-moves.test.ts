@@ -43,7 +43,7 @@ const view = fc
       new Projection({ ...sight, pose: { ...sight.pose, theta, phi: Math.abs(phi) } }),
   );
 const move = fc.record({ dx: pixel, dy: pixel, along: fc.boolean(), byKeys: fc.boolean() });
-const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
+const lengthOf = (v: readonly number[]) => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 describe('a light that is moved', () => {
   it('stays under the pointer at its depth, in both spaces and every view', () => {
@@ -102,7 +102,7 @@ const edgeOf = (aperture: number): Vec3 => {
   const { handles } = lightMarks(light, from, scene, false, 2.5);
   return handles.find(({ part }) => part === 'aperture')!.place;
 };
-const radiusOf = ([x, , z]: Vec3): number => Math.hypot(x - 0.2, z - 0.1);
+const radiusOf = ([x, , z]: Vec3) => Math.hypot(x - 0.2, z - 0.1);
 
 it('a spot’s helper has a ring of at most twice the scene’s radius, without a jump at any aperture', () => {
   let before = radiusOf(edgeOf(1));

@@ -23,21 +23,20 @@ const LIGHTS = `
   <phong-light name="off" active="false"></phong-light>`;
 
 /** A sphere that fills most of 600 × 400. */
-const scene = (attributes = 'probe', lights = LIGHTS): string =>
+const scene = (attributes = 'probe', lights = LIGHTS) =>
   `<phong-viewer geometry="sphere" segments="64" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>${lights}</phong-viewer>`;
 
-const box = (viewer: ViewerLocator): Locator => viewer.locator('[part=probe]');
-const codes = (viewer: ViewerLocator): Locator => viewer.locator('[part=probe] .codes');
-const cursor = (viewer: ViewerLocator): Locator => viewer.locator('.probe > .cursor');
-const labels = (viewer: ViewerLocator): Promise<string[]> =>
-  viewer.locator('.probe > svg text').allTextContents();
+const box = (viewer: ViewerLocator) => viewer.locator('[part=probe]');
+const codes = (viewer: ViewerLocator) => viewer.locator('[part=probe] .codes');
+const cursor = (viewer: ViewerLocator) => viewer.locator('.probe > .cursor');
+const labels = (viewer: ViewerLocator) => viewer.locator('.probe > svg text').allTextContents();
 
 /** The red, green and blue that shadeAt gives for this place. */
 const colorAt = (viewer: ViewerLocator, x: number, y: number): Promise<readonly number[]> =>
   viewer.evaluate(async (element, at) => (await element.shadeAt(...at))!.color, [x, y] as const);
 
 /** The expected codes of the box for this place. */
-const expected = async (viewer: ViewerLocator, x: number, y: number): Promise<string> =>
+const expected = async (viewer: ViewerLocator, x: number, y: number) =>
   (await colorAt(viewer, x, y)).map((c) => (255 * c).toFixed(0)).join(' ');
 
 /** The middle of the cross-hair. */
@@ -46,10 +45,9 @@ async function cursorPlace(viewer: ViewerLocator): Promise<readonly [x: number, 
   return [x + width / 2, y + height / 2];
 }
 
-const unpin = (viewer: ViewerLocator): Locator =>
-  box(viewer).getByRole('button', { name: 'Unpin' });
+const unpin = (viewer: ViewerLocator) => box(viewer).getByRole('button', { name: 'Unpin' });
 
-const escape = (page: Page): Promise<void> => page.keyboard.press('Escape');
+const escape = (page: Page) => page.keyboard.press('Escape');
 
 test.describe('a mouse over a viewer with a probe', () => {
   test('shows the colour of the fragment below it, live, and nothing beside the shape', async ({
@@ -89,7 +87,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     const { ambient, diffuse, specular, att } = await viewer.evaluate(
       async (element) => (await element.shadeAt(280, 130))!.shares[1]!,
     );
-    const triple = (color: readonly number[]): string =>
+    const triple = (color: readonly number[]) =>
       color.every((c) => c === 0) ? '0' : color.map((c) => (255 * c).toFixed(0)).join(' ');
     expect(cells.slice(0, -1)).toEqual([
       ...[ambient, diffuse, specular].map(triple),
@@ -241,8 +239,8 @@ test.describe('`probe-at`', () => {
     mount,
   }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
-    const html = (): Promise<string> => htmlOf(viewer);
-    const pointIn = (markup: string): string | undefined => /probe-at="([^"]*)"/.exec(markup)?.[1];
+    const html = () => htmlOf(viewer);
+    const pointIn = (markup: string) => /probe-at="([^"]*)"/.exec(markup)?.[1];
     expect(pointIn(await html())).toBe('0 0 0.5');
     await page.mouse.click(330, 150);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
@@ -366,7 +364,7 @@ test.describe('the box', () => {
     page,
     mount,
   }) => {
-    const light = (name: string): string =>
+    const light = (name: string) =>
       `<phong-light name="${name}" position="1 1 0 0" ambient="120" diffuse="190" specular="150"></phong-light>`;
     const viewer = await mount(
       `<phong-viewer probe probe-at="0 0 0" geometry="plane" theta="-90" phi="26.565" radius="20" fov="4.2" target="0 0 0" ka="255" kd="255" ks="255" shininess="1">
@@ -437,7 +435,7 @@ test.describe('the box', () => {
       await rows.last().locator('button').click();
     }
     expect(seen.size, 'all are in reach').toBe(50);
-    const redOf = async (row: Locator): Promise<number> =>
+    const redOf = async (row: Locator) =>
       Number.parseFloat(await row.locator('td').last().innerText());
     const added = await Promise.all((await rows.all()).map(redOf));
     const red = await redOf(box(viewer).locator('tfoot tr').first());

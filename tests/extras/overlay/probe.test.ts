@@ -7,12 +7,7 @@ import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { length, normalize } from '../../../src/phong/math/vector.js';
 import { Projection } from '../../../src/extras/overlay/drawing/projection.js';
-import {
-  drawingOf,
-  type Figure,
-  figureOf,
-  MOST_LIGHTS,
-} from '../../../src/extras/overlay/probe/figure.js';
+import { drawingOf, figureOf, MOST_LIGHTS } from '../../../src/extras/overlay/probe/figure.js';
 import {
   byShare,
   fragmentText,
@@ -39,8 +34,7 @@ const THIRD = { position: [0, 1, -1, 0], diffuse: [200, 100, 0] } as const;
 /** The second light is not active. */
 const TWO: readonly Partial<LightValues>[] = [FIRST, { active: false }, THIRD];
 
-const under = (...lights: readonly Partial<LightValues>[]): FragmentExplanation =>
-  explained({ lights });
+const under = (...lights: readonly Partial<LightValues>[]) => explained({ lights });
 
 describe('the sum', () => {
   it('has a row for each active light, whose terms add up to its total, and the totals to the sum', () => {
@@ -128,7 +122,7 @@ describe('the sum', () => {
 const PHONG = { alone: false, halfway: false };
 
 describe('the figure', () => {
-  const figure = (fragment: FragmentExplanation, chosen = 0, options = PHONG): Figure => {
+  const figure = (fragment: FragmentExplanation, chosen = 0, options = PHONG) => {
     const sum = probeSum(fragment, false);
     return figureOf(fragment, sum, sum.rows[chosen] ?? null, options, null);
   };
@@ -266,7 +260,7 @@ describe('the words', () => {
       fc.double({ min: 0, max: 200, noNaN: true }),
       fc.constantFrom(1e-6, 0.01, 1e4, 1e6),
     );
-    const number = (text: string): number => Number(text.replace('−', '-'));
+    const number = (text: string) => Number(text.replace('−', '-'));
     fc.assert(
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
         fc.pre(RoV <= 0 || RoV > 1e-6); // nine decimals have the rest

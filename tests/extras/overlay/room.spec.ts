@@ -13,7 +13,7 @@ const LIGHTS = `
   <phong-light name="a lamp with a long name" position="0.9 0.5 0.6 1" ambient="101" diffuse="#d98c46" attenuation="1 0.2 0.6"></phong-light>
   <phong-light name="back" position="-1 -1 -2 0" ambient="111"></phong-light>`;
 
-const ball = (attributes: string): string =>
+const ball = (attributes: string) =>
   `<phong-viewer alt="" geometry="sphere" segments="8" theta="0" phi="90" ${attributes}>${LIGHTS}</phong-viewer>`;
 
 interface Rect {
@@ -29,7 +29,7 @@ const rectOf = (target: Locator): Promise<Rect> =>
     return { left, top, right, bottom };
   });
 
-const meet = (a: Rect, b: Rect): boolean =>
+const meet = (a: Rect, b: Rect) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 /** For release runs. */
@@ -49,7 +49,7 @@ test.describe('the probe between the dividers of a comparison', () => {
   const css = 'phong-compare { display: block; height: 420px }';
 
   /** The texts of sums that are not wholly in the part of the picture that the dividers leave. */
-  const cutSums = (page: Page): Promise<string[]> =>
+  const cutSums = (page: Page) =>
     page.evaluate(() => {
       const compare = document.querySelector('phong-compare')!;
       const { left, width } = compare.getBoundingClientRect();
@@ -59,7 +59,7 @@ test.describe('the probe between the dividers of a comparison', () => {
         const box = viewer.shadowRoot!.querySelector('[part=probe]')!;
         if (!box.checkVisibility()) return to - from < 50 ? [] : [`no box at ${to - from}`];
         const texts = [...box.querySelectorAll('.codes, tr > :last-child')];
-        const isCut = (text: Element): boolean => {
+        const isCut = (text: Element) => {
           const range = document.createRange();
           range.selectNodeContents(text);
           const rect = range.getBoundingClientRect();
@@ -133,7 +133,7 @@ test.describe('the probe between the dividers of a comparison', () => {
 });
 
 /** The names that a box covers, and the boxes that cover each other or leave the picture. */
-const clashes = (viewer: ViewerLocator): Promise<string[]> =>
+const clashes = (viewer: ViewerLocator) =>
   viewer.evaluate((element) => {
     const root = element.shadowRoot!;
     const whole = element.getBoundingClientRect();
@@ -243,7 +243,7 @@ test('a notice keeps clear of the panel, and has a border in forced colours', as
 });
 
 test.describe('text over the picture', () => {
-  const sizes = (viewer: ViewerLocator): Promise<string[]> =>
+  const sizes = (viewer: ViewerLocator) =>
     viewer.evaluate((element) =>
       ['[part=legend]', '[part=probe]', 'text[part=light-name]', '.lil-root'].map(
         (part) => getComputedStyle(element.shadowRoot!.querySelector(part)!).fontSize,
@@ -307,8 +307,7 @@ test.describe('text over the picture', () => {
 });
 
 test.describe('an open panel', () => {
-  const picture = (viewer: ViewerLocator): Promise<Rect> =>
-    rectOf(viewer.locator('[part=surface]'));
+  const picture = (viewer: ViewerLocator) => rectOf(viewer.locator('[part=surface]'));
 
   async function withPanel(page: Page, mount: Mount, width: number): Promise<Locator> {
     const viewer = await mount(ball('gui'), { width });
@@ -374,7 +373,7 @@ test.describe('a legend', () => {
   }) => {
     const viewer = await mount(ball('view="n-dot-l"'), { width: 260, height: 200 });
     const legend = viewer.locator('.legend');
-    const height = async (): Promise<number> => {
+    const height = async () => {
       await laidOut(page);
       const { top, bottom } = await rectOf(legend);
       return bottom - top;

@@ -1,7 +1,6 @@
 // Do `view` and `view-light` behave as documented: legend, lights by name, what is compiled,
 // measuring the error?
 
-import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
 import {
   type ViewerLocator,
@@ -29,10 +28,10 @@ const lights = `
   <phong-light name="sun" position="1 2 1 0" diffuse="120 100 80" ambient="20"></phong-light>
   <phong-light id="lamp" name="lamp" position="1 1 1 1" diffuse="0 60 60"></phong-light>
   <phong-light position="0 1 2 1" axis="0 -1 -2" aperture="9" cutoff="3"></phong-light>`;
-const scene = (attributes: string): string =>
+const scene = (attributes: string) =>
   `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
 
-const legendOf = (viewer: ViewerLocator): Locator => viewer.locator('.legend');
+const legendOf = (viewer: ViewerLocator) => viewer.locator('.legend');
 
 /** Title and lights of the legend, and the marks of its scale. */
 const legendText = async (viewer: ViewerLocator): Promise<string[]> => {
@@ -108,7 +107,7 @@ test('follows lights that are renamed, switched off, added and removed', async (
   consoleGuard.allow(/view-light="lamp2?">: no light has this name/, 2);
   const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), SIZE);
   const lamp = viewer.locator('#lamp');
-  const write = async (values: Readonly<Record<string, string | boolean>>): Promise<void> => {
+  const write = async (values: Readonly<Record<string, string | boolean>>) => {
     await assign(lamp, values);
     await settled(viewer);
   };
@@ -187,7 +186,7 @@ test('the legend can be styled and hidden, and stays inside small viewers', asyn
     css: 'phong-viewer::part(legend) { border-width: 3px } .quiet::part(legend) { display: none }',
   });
   await expect(legendOf(viewer)).toHaveCSS('border-top-width', '3px');
-  const isInside = async (): Promise<boolean> => {
+  const isInside = async () => {
     const [inner, outer] = [(await legendOf(viewer).boundingBox())!, (await viewer.boundingBox())!];
     return (
       inner.x >= outer.x &&
@@ -259,7 +258,7 @@ test('a name that no light has is black with a warning; a later light shows', as
     1,
   );
   const viewer = await mount(scene('view-light="lampe"'), SIZE);
-  const brightest = async (): Promise<number> => {
+  const brightest = async () => {
     const { data } = await pixels(viewer);
     return data.reduce((most, value, i) => (i % 4 === 3 ? most : Math.max(most, value)), 0);
   };

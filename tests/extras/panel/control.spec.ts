@@ -10,11 +10,11 @@ const de = readyTexts('de');
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 const scene = `<phong-viewer id="v" geometry="torus"><phong-light id="spot" name="spot" position="0 2 0"
   axis="0 -1 0" aperture="30" cutoff="8"></phong-light><phong-mesh id="m" geometry="plane"></phong-mesh></phong-viewer>`;
-const control = (attributes: string, label = ''): string =>
+const control = (attributes: string, label = '') =>
   `<phong-control ${attributes}>${label}</phong-control>`;
 
-const lightOf = (page: Page): Locator => page.locator('phong-light').first();
-const valueOf = (of: Locator, key: string): Promise<number> =>
+const lightOf = (page: Page) => page.locator('phong-light').first();
+const valueOf = (of: Locator, key: string) =>
   of.evaluate((element, name) => Number(Reflect.get(element, name)), key);
 
 test('a number is a field with its unit in a sentence, and a slider alone or as asked', async ({
@@ -212,7 +212,7 @@ test('in a sentence what has no label is alone, a number is rounded as `step` sa
   );
   const field = page.getByRole('spinbutton', { name: 'aperture' });
   await expect(field).toHaveValue('30');
-  const nameWidth = (of: Locator): Promise<number> =>
+  const nameWidth = (of: Locator) =>
     of.locator('[part~=label]').evaluate((label) => label.getBoundingClientRect().width);
   expect(await nameWidth(number!)).toBeLessThanOrEqual(1);
   expect(await nameWidth(colour!)).toBeLessThanOrEqual(1);

@@ -31,10 +31,10 @@ const scene = `<phong-viewer gui geometry="box" theta="20" phi="60">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
 </phong-viewer>`;
 
-const names = (viewer: ViewerLocator): Promise<string[]> =>
+const names = (viewer: ViewerLocator) =>
   viewer.evaluate((element) => element.lights.map(({ name }) => name));
-const undo = (viewer: ViewerLocator): Promise<void> => button(panelOf(viewer), 'undo').click();
-const redo = (viewer: ViewerLocator): Promise<void> => button(panelOf(viewer), 'redo').click();
+const undo = (viewer: ViewerLocator) => button(panelOf(viewer), 'undo').click();
+const redo = (viewer: ViewerLocator) => button(panelOf(viewer), 'redo').click();
 const lamp = (viewer: ViewerLocator): Promise<Pick<PhongLight, 'diffuse' | 'position' | 'name'>> =>
   viewer.evaluate((element) => {
     const { diffuse, position, name } = element.lights.find(({ id }) => id === 'lamp')!;
@@ -146,7 +146,7 @@ test.describe('undo', () => {
         '<p slot="error"><button>b</button><input value="text"></p>',
       ),
     );
-    const x = async (): Promise<number> => (await lamp(viewer)).position[0];
+    const x = async () => (await lamp(viewer)).position[0];
     await field(folder, 'position x').fill('5');
     for (const [place, keys, expected] of [
       [field(folder, 'position x'), 'Control+z', 1],
@@ -272,7 +272,7 @@ test('a model file can be chosen for a mesh and for the viewer', async ({
   const file = fileURLToPath(new URL('../../fixtures/models/textured.glb', import.meta.url));
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'box');
-  const choose = async (name: string): Promise<void> => {
+  const choose = async (name: string) => {
     const dialog = page.waitForEvent('filechooser');
     await button(panelOf(viewer), name).click();
     await (await dialog).setFiles(file);

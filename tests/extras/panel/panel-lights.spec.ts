@@ -18,17 +18,17 @@ import {
   titlesIn,
 } from './panel-rows.js';
 
-const scene = (...lights: readonly string[]): string =>
+const scene = (...lights: readonly string[]) =>
   `<phong-viewer gui geometry="box" target="0 0 0">${lights.join('')}</phong-viewer>`;
 const lamp = '<phong-light name="lamp" position="1 2 3 1" diffuse="400 200 0"></phong-light>';
 const sun = '<phong-light name="sun" position="1 1 1 0"></phong-light>';
 const spot =
   '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
 
-const lightOf = (viewer: ViewerLocator, name: string): Locator =>
+const lightOf = (viewer: ViewerLocator, name: string) =>
   viewer.locator(`phong-light[name=${name}]`);
 
-const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
+const read = <K extends keyof PhongLight>(light: Locator, key: K) =>
   light.evaluate((element: PhongLight, name) => element[name as K], key);
 
 test('has a folder for each light, in order, which stays as it is while others come and go', async ({

@@ -139,7 +139,7 @@ test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page
 });
 
 /** Selects that are too narrow for their present choice. Only its width as text tells. */
-const cutChoices = (viewer: Locator): Promise<string[]> =>
+const cutChoices = (viewer: Locator) =>
   listOf(viewer).evaluate((list) =>
     [...list.querySelectorAll('select')]
       .filter((select) => select.checkVisibility())
@@ -197,7 +197,7 @@ test('the picture leaves the panel its place before its code is there, and is dr
   mount,
 }) => {
   const send = await holdBack(page, /\/panel-/);
-  const viewer = (kind: string): string =>
+  const viewer = (kind: string) =>
     `<phong-viewer class="${kind}" alt="${kind}" geometry="box" gui></phong-viewer>`;
   const compared = `<phong-compare>${viewer('split')}<phong-viewer alt="B" geometry="box"></phong-viewer></phong-compare>`;
   await mount(viewer('wide') + viewer('small') + viewer('phone') + compared, {

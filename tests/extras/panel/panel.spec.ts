@@ -15,12 +15,11 @@ import {
 } from '../../element/support/viewer.js';
 import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
 
-const light = (name: string): string =>
-  `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
-const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
+const light = (name: string) => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
+const scene = (attributes = 'gui', ...lights: readonly string[]) =>
   `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
 
-const openFolders = (viewer: ViewerLocator): Promise<string[]> =>
+const openFolders = (viewer: ViewerLocator) =>
   panelOf(viewer)
     .locator('> .lil-children > .lil-gui > .lil-title[aria-expanded=true]')
     .filter({ visible: true })
@@ -258,8 +257,8 @@ test('leaves the wheel over the picture to zoom while the panel has the focus', 
   mount,
 }) => {
   const viewer = await mount(scene('gui', 'sun'), { css: 'body { height: 3000px }' });
-  const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
-  const wheel = async (): Promise<void> => {
+  const radius = async () => (await cameraOf(viewer)).radius;
+  const wheel = async () => {
     await page.mouse.move(200, 200);
     await page.mouse.wheel(0, 50);
     await nextFrame(page);
@@ -281,7 +280,7 @@ test('shows the viewer in full screen, and back by the button or Escape, if brow
   mount,
 }) => {
   const viewer = await mount(scene());
-  const isOn = (): Promise<boolean> => viewer.evaluate((element) => element.matches(':fullscreen'));
+  const isOn = () => viewer.evaluate((element) => element.matches(':fullscreen'));
   const enter = panelOf(viewer).getByRole('button', { name: 'Full screen', exact: true });
   const leave = panelOf(viewer).getByRole('button', { name: 'Leave full screen' });
   const { width, height } = (await enter.boundingBox())!;

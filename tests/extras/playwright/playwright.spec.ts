@@ -29,13 +29,7 @@ async function refusal(viewer: ViewerLocator, options: object = {}): Promise<str
 }
 
 /** Adds this to a channel of one pixel of every later picture. */
-const spoil = (
-  viewer: ViewerLocator,
-  x: number,
-  y: number,
-  channel: number,
-  by: number,
-): Promise<void> =>
+const spoil = (viewer: ViewerLocator, x: number, y: number, channel: number, by: number) =>
   viewer.evaluate(
     (element, at) => {
       const draw = element.toBlob.bind(element);
@@ -58,7 +52,7 @@ const giveFault = (
   viewer: ViewerLocator,
   attributes: Readonly<Record<string, string>>,
   moved = 0,
-): Promise<void> =>
+) =>
   viewer.evaluate(
     async (element, fault) => {
       const wrong = element.cloneNode(true) as PhongViewer;
@@ -180,7 +174,7 @@ test.describe('toShowTheEquation', () => {
   });
 
   test('judges as many pixels as asked for, and reports how many', async ({ mount }, info) => {
-    const report = (): string => info.annotations.at(-1)?.description ?? '';
+    const report = () => info.annotations.at(-1)?.description ?? '';
     const viewer = await mount(CLOSE, SIZE);
     await spoil(viewer, X, Y, 1, -2);
     await expect(viewer).toShowTheEquation({ pixels: 100, seed: 2 });

@@ -147,8 +147,7 @@ test('a file that is not found is named', async ({ mount, consoleGuard }) => {
   await expect(viewer.locator('[part=notice]')).toContainText('nowhere.glb');
 });
 
-const text = async (page: Page): Promise<string> =>
-  (await page.locator('.cm-line').allTextContents()).join('\n');
+const text = async (page: Page) => (await page.locator('.cm-line').allTextContents()).join('\n');
 
 test('the playground takes the scene of a dropped picture as its text, and takes it back', async ({
   page,

@@ -88,7 +88,7 @@ it('has digits that give the digits of the result, or says ≈ (seed 53)', () =>
 });
 
 /** With three digits too, though the right number may round to others. */
-const spellings = (x: number): string[] => [
+const spellings = (x: number) => [
   x.toFixed(9),
   x.toPrecision(3),
   x.toPrecision(3).replace('.', ','),

@@ -7,19 +7,19 @@ import { expectNoFaults } from '../../support/axe.js';
 import { expect, type Mount, test } from '../../support/test.js';
 
 /** A floor below a lamp at 60 degrees, 2 away, seen from above. */
-const scene = (attributes = ''): string =>
+const scene = (attributes = '') =>
   `<phong-viewer id="v" alt="A floor" geometry="plane" theta="0" phi="30" radius="4" target="0 0 0" ka="255" kd="200" ks="255" ${attributes}>
      <phong-light id="lamp" name="lamp" position="1.7320508 1 0 1" ambient="51" diffuse="204" specular="128" attenuation="1 0 0.75"></phong-light></phong-viewer>`;
 
-const probe = (attributes: string): string => `<phong-probe for="v" ${attributes}></phong-probe>`;
+const probe = (attributes: string) => `<phong-probe for="v" ${attributes}></phong-probe>`;
 const size = { width: 300, height: 200 };
 
 /** The line of this title. */
-const line = (within: Page | Locator, title: string): Locator =>
+const line = (within: Page | Locator, title: string) =>
   within.getByRole('listitem').filter({ hasText: title });
 
 /** The texts of a line's formulas: symbols, numbers, result. */
-const formulas = (of: Locator): Promise<string> =>
+const formulas = (of: Locator) =>
   of
     .locator('math')
     .allTextContents()
@@ -154,8 +154,7 @@ test('judges by keyboard, marks right and wrong by more than words, and keeps th
   await page.evaluate(() =>
     document.addEventListener('keydown', ({ key }) => (document.body.title += key)),
   );
-  const mark = (): Promise<string> =>
-    verdict.evaluate((output) => getComputedStyle(output, '::before').content[1]!);
+  const mark = () => verdict.evaluate((output) => getComputedStyle(output, '::before').content[1]!);
   await field.fill('0.314');
   await field.press('Enter');
   await expect(verdict).toHaveText('That is the value without att.');
@@ -206,7 +205,7 @@ test('is a control of its form: name, value, reset, validity, FormData, and send
       one.validity.valueMissing,
       [...new FormData(one.form!)].map(([key, value]) => `${key}=${value as string}`).join('&'),
     ]);
-  const sent = (): Promise<unknown> => page.evaluate(() => Reflect.get(window, 'sent') as unknown);
+  const sent = () => page.evaluate(() => Reflect.get(window, 'sent') as unknown);
   expect(await read()).toEqual(['; ; ; ', false, true, 'q=&q=&q=&q=']);
   for (const i of [0, 1, 2, 3]) {
     await fields.nth(i).fill(`0.${i}`);
@@ -325,7 +324,7 @@ test('has the numbers of the language around it, and English words in an English
   page,
   mount,
 }) => {
-  const part = (lang: string): string =>
+  const part = (lang: string) =>
     `<section lang="${lang}">${probe('as="formula" at="0 0 0"')}</section>`;
   await mount(scene() + part('de') + part('fa') + part('en'), {
     ...size,

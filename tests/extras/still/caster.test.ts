@@ -25,7 +25,7 @@ const SPHERE = trianglesOf(await createGeometry('sphere', 512));
 const CONE = trianglesOf(await createGeometry('cone', 512));
 
 /** Pixels of a unit of slope. */
-const pixelsOf = (height: number): number => height / (2 * Math.tan((FOV * Math.PI) / 360));
+const pixelsOf = (height: number) => height / (2 * Math.tan((FOV * Math.PI) / 360));
 
 describe('a picture by the ray caster', () => {
   it('covers the area of a sphere’s outline', () => {

@@ -21,23 +21,23 @@ function unexpected(message: string): void {
   throw new Error(message);
 }
 
-const radians = (degrees: number): number => (degrees * Math.PI) / 180;
-const cos = (degrees: number): number => Math.cos(radians(degrees));
-const sin = (degrees: number): number => Math.sin(radians(degrees));
+const radians = (degrees: number) => (degrees * Math.PI) / 180;
+const cos = (degrees: number) => Math.cos(radians(degrees));
+const sin = (degrees: number) => Math.sin(radians(degrees));
 
 // A wall at z = 0 that faces the eye: N = V = 0 0 1.
 const WALL =
   '<phong-mesh geometry="plane" rotation="90 0 0" kd="204" ks="153" ka="102" shininess="16"></phong-mesh>';
 const [KA, KD, KS] = [102 / 255, 204 / 255, 153 / 255];
-const shape = (geometry: string): string =>
+const shape = (geometry: string) =>
   `<phong-mesh geometry="${geometry}" kd="204" ks="0"></phong-mesh>`;
-const light = (values: string): string => `<phong-light ${values}></phong-light>`;
-const fromSide = (degrees: number, values: string): string =>
+const light = (values: string) => `<phong-light ${values}></phong-light>`;
+const fromSide = (degrees: number, values: string) =>
   light(`position="${String(sin(degrees))} 0 ${String(cos(degrees))} 0" ${values}`);
 const DULL = 'specular="0"';
 
-const decode = (code: number): number => ((code / 255 + 0.055) / 1.055) ** 2.4;
-const encode = (linear: number): number => 1.055 * linear ** (1 / 2.4) - 0.055;
+const decode = (code: number) => ((code / 255 + 0.055) / 1.055) ** 2.4;
+const encode = (linear: number) => 1.055 * linear ** (1 / 2.4) - 0.055;
 const LAMP = `position="0 0 2" axis="${String(sin(25))} 0 ${String(-cos(25))}" cutoff="12"`;
 const EYE_LAMP = `space="camera" position="0 0 -2 1" attenuation="1 0.5 0" ${DULL}`;
 

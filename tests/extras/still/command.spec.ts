@@ -10,13 +10,13 @@ import { withText } from '../../../src/extras/png/chunks.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
 
 const command = join(outputFolder('dist'), 'cli.js');
-const POSTER = (src: string, width: number, height: number): string =>
+const POSTER = (src: string, width: number, height: number) =>
   `<img slot="poster" src="${src}" width="${width}" height="${height}" alt="" decoding="async">`;
 
 /** A folder with these files. */
 function folderOf(files: Readonly<Record<string, string | Uint8Array>>) {
   const folder = mkdtempSync(join(tmpdir(), 'stills-'));
-  const path = (name: string): string => join(folder, name);
+  const path = (name: string) => join(folder, name);
   for (const [name, content] of Object.entries(files)) {
     writeFileSync(path(name), content);
   }
@@ -59,13 +59,13 @@ test('a page gets its posters, and no other byte of it changes', () => {
 });
 
 test('what is up to date is left alone, and --check fails where something is not', () => {
-  const scene = (light: string): string =>
+  const scene = (light: string) =>
     `<phong-viewer src="box.ply" style="width: 20px">${light}</phong-viewer>`;
   const light = '<phong-light></phong-light>';
   const model = fileURLToPath(new URL('../../fixtures/models/coloured.ply', import.meta.url));
   const folder = folderOf({ 'index.html': scene(light), 'box.ply': readFileSync(model) });
   const check = (...args: string[]) => folder.run('still', '--check', 'index.html', ...args);
-  const fails = (reason: string, ...args: string[]): void => {
+  const fails = (reason: string, ...args: string[]) => {
     const { status, err } = check(...args);
     expect({ status, err }).toEqual({ status: 1, err: `index.html:1: index.1.png ${reason}.\n` });
   };
@@ -93,7 +93,7 @@ test('what is up to date is left alone, and --check fails where something is not
 });
 
 test('a poster has the background of its viewer, and --scale gives it more pixels', () => {
-  const viewer = (background: string): string =>
+  const viewer = (background: string) =>
     `<phong-viewer style="width: 9px; aspect-ratio: 1; ${background}" geometry="box"></phong-viewer>`;
   const folder = folderOf({
     'a.html': viewer('background: rgb(10 20 30)'),
@@ -207,7 +207,7 @@ test('a stamp made to attack is no poster, or not up to date', () => {
 
 test('images that the command has not made are neither written over nor replaced', () => {
   const png = PNG.sync.write(new PNG({ width: 1, height: 1 }));
-  const viewer = (attributes: string, inner: string): string =>
+  const viewer = (attributes: string, inner: string) =>
     `<phong-viewer geometry="box" width="8" height="8" ${attributes}>${inner}</phong-viewer>\n`;
   const page = [
     viewer('', '<img slot="poster" src="mine.png">'),
@@ -247,7 +247,7 @@ test('--out draws one picture and leaves the page as it is', () => {
   expect(PNG.sync.read(readFileSync(folder.path('scene.png')))).toMatchObject({ width: 12 });
 });
 
-const sized = (attributes: string, inner = ''): string =>
+const sized = (attributes: string, inner = '') =>
   `<p>\n<phong-viewer style="width:8px;height:8px" ${attributes}>${inner}</phong-viewer>`;
 
 for (const [what, page, part] of [

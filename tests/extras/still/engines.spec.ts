@@ -25,7 +25,7 @@ const SCENES = [
 type Digest = (markup: string, base: string) => Promise<string>;
 
 /** A module that puts it into the global object. */
-const entry = (still: string): string => `
+const entry = (still: string) => `
   import { still } from ${JSON.stringify(still)};
   const digest = async (bytes) => {
     const sum = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
@@ -70,7 +70,7 @@ async function pageScript(): Promise<string> {
 const OPEN = "script-src 'self' 'unsafe-inline'";
 
 /** Draws the scenes in Node, on all cores, and writes what it found as JSON. */
-const inNodeScript = (base: string): string => `
+const inNodeScript = (base: string) => `
   ${entry(pathToFileURL(STILL).href)}
   const found = [];
   for (const markup of ${JSON.stringify(SCENES.map(({ markup }) => markup))}) {

@@ -63,7 +63,7 @@ it('has the light sums of the reference', () => {
       const surface = { ...white, shininess };
       const options = { camera, linear, reflection: isBlinn ? 'blinn-phong' : 'phong' } as const;
       const { shares } = shade({ p: add(eye, p), normal: N, eye }, surface, lights, options);
-      const total = (term: 'ambient' | 'diffuse' | 'specular'): Vec3 =>
+      const total = (term: 'ambient' | 'diffuse' | 'specular') =>
         shares.reduce<Vec3>((sum, s) => (s === null ? sum : add(sum, s[term])), [0, 0, 0]);
       const expected = [...total('ambient'), ...total('diffuse'), ...total('specular')];
       // The point relative to the eye rounds otherwise than in the world: 1e-15 times the exponent.

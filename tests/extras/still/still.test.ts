@@ -22,7 +22,7 @@ async function draw(markup: string, size = SIZE) {
 
 const FRONT = 'theta="0" phi="90" radius="4" target="0 0 0"';
 const SUN = '<phong-light position="0 0 1 0" specular="0"></phong-light>';
-const front = (mesh: string, viewer = 'fov="1"', light = SUN): string =>
+const front = (mesh: string, viewer = 'fov="1"', light = SUN) =>
   `<phong-viewer ${FRONT} ${viewer}>${light}${mesh}</phong-viewer>`;
 const WALL = '<phong-mesh geometry="plane" rotation="90 0 0"></phong-mesh>';
 
@@ -132,7 +132,7 @@ describe('a still', () => {
   });
 
   it('blends what a file declares translucent over what lies behind it', async () => {
-    const glass = (baseColorFactor: readonly number[], place: string): string => {
+    const glass = (baseColorFactor: readonly number[], place: string) => {
       const extensions = { KHR_materials_unlit: {} };
       const pbrMetallicRoughness = { baseColorFactor };
       const src = patch({ material: { alphaMode: 'BLEND', extensions, pbrMetallicRoughness } });
@@ -155,7 +155,7 @@ describe('a still', () => {
       extensions: { KHR_materials_unlit: {} },
       pbrMetallicRoughness: { baseColorTexture: { index: 0 } },
     };
-    const model = (list: readonly (readonly [number, number, number, number])[]): string =>
+    const model = (list: readonly (readonly [number, number, number, number])[]) =>
       front(`<phong-mesh src="${patch({ material, textures: [[...list]] })}"></phong-mesh>`);
     expect((await draw(model(texels))).middle).toEqual([200, 100, 50, 255]);
     const clear = texels.map(([r, g, b]) => [r, g, b, 100] as const);

@@ -18,7 +18,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-const press = (viewer: PhongViewer, key: string): boolean =>
+const press = (viewer: PhongViewer, key: string) =>
   partOf(viewer, '.surface')!.dispatchEvent(new KeyboardEvent('keydown', { key }));
 
 /** What is said after a while; null if nothing ever was. */

@@ -6,7 +6,7 @@ import { expect, it } from 'vitest';
 import { type Row, tables } from './attribute-rows.js';
 import './on-page.js';
 
-const propertyOf = ({ attribute, property }: Row): string =>
+const propertyOf = ({ attribute, property }: Row) =>
   property ?? attribute.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 
 const rowsOf = Object.entries(tables).flatMap(([tag, rows]) =>
@@ -66,7 +66,7 @@ function faultsOf(tag: string, row: Row): string[] {
   let element = document.createElement(tag);
   const texts = Object.entries(valid);
   const [good, itsValue] = texts[0]!;
-  const check = (what: string, wanted: unknown): void => {
+  const check = (what: string, wanted: unknown) => {
     const value = Reflect.get(element, property) as unknown;
     const got = JSON.stringify(value);
     if (got !== JSON.stringify(wanted)) {

@@ -6,7 +6,7 @@ import { afterEach, expect, it, vi } from 'vitest';
 import { PhongViewer } from '../../../src/viewer/index.js';
 import { onPage } from './on-page.js';
 
-const script = (texts: string): string =>
+const script = (texts: string) =>
   `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
 const viewer = '<phong-viewer alt="" geometry="box"></phong-viewer>';
 

@@ -54,7 +54,7 @@ it('lights are listed at once, frozen, and unnamed ones are named by their place
   const viewer = await onPage(
     `<phong-viewer alt="">${plain}<phong-light name="red"></phong-light><phong-mesh></phong-mesh>${plain}</phong-viewer>`,
   );
-  const names = (): string => viewer.lights.map(({ name }) => name).join();
+  const names = () => viewer.lights.map(({ name }) => name).join();
   const { lights } = viewer;
   expect(viewer.lights).toBe(lights);
   expect(Object.isFrozen(lights)).toBe(true);

@@ -213,7 +213,7 @@ function valuesOf(field: Field<unknown>): fc.Arbitrary<unknown> {
     'flag-or-words': fc.oneof(fc.boolean(), fc.constantFrom(['lights'], ['cutoff', 'theta'])),
   }[field.kind] as fc.Arbitrary<unknown>;
   const inside = shape.map((value) => {
-    const shrink = (x: unknown): unknown => (typeof x === 'number' ? Math.abs(x) % 100 : x);
+    const shrink = (x: unknown) => (typeof x === 'number' ? Math.abs(x) % 100 : x);
     for (const guess of [value, Array.isArray(value) ? value.map(shrink) : shrink(value)]) {
       try {
         return field.check(guess);
@@ -290,7 +290,7 @@ it('any text gives an accepted value, a TypeError or RangeError, or counts as ma
   );
 });
 
-const warning = (value: unknown, field: Field<unknown>): string =>
+const warning = (value: unknown, field: Field<unknown>) =>
   valueWarning('phong-viewer', 'autoRotate', value, field);
 
 it.each([

@@ -21,9 +21,7 @@ const place = ({
   position = [0, 0, 0],
   rotation = [0, 0, 0],
   scale = [1, 1, 1],
-}: Partial<
-  Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>
-> = {}): Matrix4 =>
+}: Partial<Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>> = {}) =>
   new Matrix4().compose(
     new Vector3(...position),
     new Quaternion().setFromEuler(new Euler(...rotation)),
@@ -43,7 +41,7 @@ const culls = (
   matrix = place(),
   camera = eyeAt(5),
   geometry: BufferGeometry = sphere,
-): boolean => cullsBackFaces(sides, geometry, matrix, camera);
+) => cullsBackFaces(sides, geometry, matrix, camera);
 
 describe('back faces of a closed shape', () => {
   it.each([

@@ -82,7 +82,7 @@ describe('the measure of a scene', () => {
       const scene = sceneOf(...meshes);
       const before = measure(scene);
       const [moved] = meshes as [Mesh];
-      const holds = (): boolean => before.holds(moved.geometry, moved.matrixWorld.elements);
+      const holds = () => before.holds(moved.geometry, moved.matrixWorld.elements);
       const wasHeld = holds();
       place(moved, random).updateMatrixWorld();
       if (!wasHeld || !holds()) continue;

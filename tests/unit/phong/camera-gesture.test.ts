@@ -76,7 +76,7 @@ describe('shifting', () => {
         const near = { ...pose, target: [0, 0, 0] as const };
         const { right, up } = basisOf(near);
         const step = worldPerPixel(near.radius, view);
-        const at = (i: 0 | 1 | 2): number => step * (x * right[i] - y * up[i]);
+        const at = (i: 0 | 1 | 2) => step * (x * right[i] - y * up[i]);
         const moved = project(shift(near, dx, dy, view), [at(0), at(1), at(2)]);
         expect(Math.abs(moved.x - (x + dx))).toBeLessThan(1e-12 * 4000);
         expect(Math.abs(moved.y - (y + dy))).toBeLessThan(1e-12 * 4000);

@@ -49,7 +49,7 @@ interface BoxCase {
 
 function anyBox(random: Random, size = random.pick(SIZES)): BoxCase {
   const flat = random.chance(0.1);
-  const side = (): number =>
+  const side = () =>
     flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]);
   return {
     size,
@@ -143,14 +143,14 @@ const SEED = 1;
 const bare = { diffuse: [255, 255, 255], specular: [255, 255, 255] } as const;
 
 /** At the origin, along −z unless `values` turn it. */
-const spotWith = (values: Partial<LightValues>): LightValues =>
+const spotWith = (values: Partial<LightValues>) =>
   light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], ...values });
 
 const spotOf = (
   { apex, axis, aperture }: ConeCase,
   random: Random,
   values: Partial<LightValues> = {},
-): LightValues =>
+) =>
   spotWith({
     ...values,
     position: [...apex, 1],

@@ -15,8 +15,8 @@ import {
 /** Fixed-point numbers with so many bits after the point. */
 const BITS = 256n;
 const ONE = 1n << BITS;
-const times = (a: bigint, b: bigint): bigint => (a * b) >> BITS;
-const over = (a: bigint, b: bigint): bigint => (a << BITS) / b;
+const times = (a: bigint, b: bigint) => (a * b) >> BITS;
+const over = (a: bigint, b: bigint) => (a << BITS) / b;
 
 /** A float64 exactly: those of the tests have no bit below 2^-256. */
 function fixed(x: number): bigint {
@@ -69,8 +69,8 @@ const exactExp = (x: bigint): bigint => {
   const r = series(x - k * LN2, ONE, 0n, 1n, 1n);
   return k >= 0n ? r << k : r >> (k = -k);
 };
-const exactSin = (x: bigint): bigint => series(x, x, 1n, 2n, -1n);
-const exactCos = (x: bigint): bigint => series(x, ONE, 0n, 2n, -1n);
+const exactSin = (x: bigint) => series(x, x, 1n, 2n, -1n);
+const exactCos = (x: bigint) => series(x, ONE, 0n, 2n, -1n);
 /** Euler's series; t from 0 to 1. */
 const exactArctan = (t: bigint): bigint => {
   const w = over(times(t, t), ONE + times(t, t));
@@ -116,10 +116,10 @@ describe(`elementary functions, seed ${String(SEED)}`, () => {
   });
 
   it('have angles that are right to 1e-15', () => {
-    const slopes = (x: number): number => atan2(x, 1);
+    const slopes = (x: number) => atan2(x, 1);
     expect(worst(0, 1, slopes, exactArctan)).toBeLessThan(1e-15);
     expect(worst(1e-9, 1e-6, slopes, exactArctan)).toBeLessThan(1e-15);
-    const steep = (x: bigint): bigint => PI / 2n - exactArctan(over(ONE, x));
+    const steep = (x: bigint) => PI / 2n - exactArctan(over(ONE, x));
     expect(worst(1, 1e6, slopes, steep)).toBeLessThan(1e-15);
     expect(
       worst(
@@ -141,14 +141,14 @@ describe(`elementary functions, seed ${String(SEED)}`, () => {
 
   it('have powers that are right to 1e-13', () => {
     for (const n of [2.4, 1 / 2.4, 32, 1000]) {
-      const power = (x: bigint): bigint => exactExp(times(fixed(n), exactLog(x)));
+      const power = (x: bigint) => exactExp(times(fixed(n), exactLog(x)));
       const least = 1 - 30 / (n + 30);
       expect(
         worst(least, 1, (x) => pow(x, n), power),
         String(n),
       ).toBeLessThan(1e-13);
     }
-    const million = (x: bigint): bigint => exactExp(1_000_000n * exactLog(x));
+    const million = (x: bigint) => exactExp(1_000_000n * exactLog(x));
     expect(worst(0.99997, 1, (x) => pow(x, 1e6), million)).toBeLessThan(1e-13);
   });
 

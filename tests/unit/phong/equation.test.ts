@@ -97,7 +97,7 @@ const one = (
   fragment: Partial<Fragment> = {},
   surface: Partial<Surface> = {},
   options: ReferenceOptions = {},
-): LightShare =>
+) =>
   shade(
     { ...floor, ...fragment },
     { ...white, ...surface },

@@ -23,7 +23,7 @@ interface Lamp {
   radius: number | 'auto';
 }
 
-const lamp = (): FieldStore<Lamp> =>
+const lamp = () =>
   new FieldStore<Lamp>({
     power: numberField(60, { min: 0, max: 100 }),
     tint: colorField([255, 255, 255], { min: 0, max: 1e6 }),

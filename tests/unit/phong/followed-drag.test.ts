@@ -27,7 +27,7 @@ function press(slop: number, canCapture = true, view: EventTarget | null = new E
       ended: () => log.push('ended'),
     },
   );
-  const fire = (type: string, values: object = {}, on: EventTarget = element): void => {
+  const fire = (type: string, values: object = {}, on: EventTarget = element) => {
     on.dispatchEvent(Object.assign(new Event(type), PRESS, values));
   };
   return { captured, log, end, fire, view: view! };

@@ -18,7 +18,7 @@ function fromPositions(values: readonly number[]): BufferGeometry {
   );
 }
 
-const listed = (geometry: BufferGeometry, name: string): number[] =>
+const listed = (geometry: BufferGeometry, name: string) =>
   Array.from(geometry.getAttribute(name).array);
 
 describe('flatGeometry', () => {

@@ -30,7 +30,7 @@ function resultOf<Result>(work: Work<Result>): Result {
     if (done === true) return value;
   }
 }
-const compare = (...given: Parameters<typeof comparing>): Judged => resultOf(comparing(...given));
+const compare = (...given: Parameters<typeof comparing>) => resultOf(comparing(...given));
 const mistakesIn = (judged: readonly Judged[]) => resultOf(naming(judged));
 
 /** Colours by a function, with the noise of float32 in another order. */

@@ -1,7 +1,6 @@
 // Is only what changed sent to the GPU?
 
 import fc from 'fast-check';
-import type { ExternalTexture } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { TEXTURE_ROWS_LOG2 } from '../../../src/phong/light/light-layout.js';
 import { emptyPack, type PackedLights } from '../../../src/phong/light/pack-lights.js';
@@ -29,7 +28,7 @@ function write(buffer: LightBuffer, next: PackedLights): void {
 }
 
 /** A draw that reads the texture. */
-const draw = (rows: LightBuffer): ExternalTexture => rows.sendTexture(gpu.renderer);
+const draw = (rows: LightBuffer) => rows.sendTexture(gpu.renderer);
 
 /** Rows that the GPU has seen. */
 function settled(count: number): LightBuffer {

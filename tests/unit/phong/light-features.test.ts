@@ -91,7 +91,7 @@ describe('the features of a light', () => {
         const both = unionOf(first, second);
         expect(unionOf(second, first)).toBe(both);
         expect(unionOf(first, first)).toBe(first);
-        const power = (mask: number): number => mask >> LIGHT_FEATURES.powerShift;
+        const power = (mask: number) => mask >> LIGHT_FEATURES.powerShift;
         for (const own of [first, second]) {
           const others = own & ((1 << LIGHT_FEATURES.powerShift) - 1);
           expect(both & others).toBe(others);

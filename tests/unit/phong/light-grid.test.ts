@@ -27,7 +27,7 @@ function spotsOver(
   more: Partial<LightValues> = {},
 ): LightValues[] {
   const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
-  const inside = (k: 0 | 2): number => random.from(box[k], box[k + 3]!);
+  const inside = (k: 0 | 2) => random.from(box[k], box[k + 3]!);
   return Array.from({ length: count }, (_, i) =>
     light({
       position: [inside(0), box[4] + unit * random.from(0.5, 2), inside(2), 1],
@@ -56,11 +56,11 @@ const rowOf = ({ data }: PackedLights, row: number): Vec3 => [
   data[row * 4 + 1]!,
   data[row * 4 + 2]!,
 ];
-const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
-const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
+const lastOf = ({ data }: PackedLights, row: number) => data[row * 4 + 3]!;
+const gridOf = (into: PackedLights) => lastOf(into, HEADER.counts);
 
 /** The number of spots without a list entry; they come first. */
-const unlistedOf = (into: PackedLights): number => lastOf(into, gridOf(into) + GRID.size);
+const unlistedOf = (into: PackedLights) => lastOf(into, gridOf(into) + GRID.size);
 
 /** The rows of all lights, by kind. */
 function rowsOf({ counts }: PackedLights): number[][] {
@@ -120,7 +120,7 @@ function isLit({ position: [x, y, z], axis, aperture }: LightValues, p: Vec3): b
  * The rows that each of `lights` has in `into`, found by its red ambient light, which is its
  * number: spots alone.
  */
-const rowByNumber = (into: PackedLights): Map<number, number> =>
+const rowByNumber = (into: PackedLights) =>
   new Map(
     rowsOf(into)[2]!.map((row) => [
       Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!),
@@ -151,7 +151,7 @@ function cornerCase(
   for (const k of [u, v]) {
     outward[k] = random.sign() * Math.SQRT1_2;
   }
-  const moved = (by: number): Vec3 => corner.map((x, k) => x + by * outward[k]!) as unknown as Vec3;
+  const moved = (by: number) => corner.map((x, k) => x + by * outward[k]!) as unknown as Vec3;
   const wall = [...moved(-1.3 * pad)];
   wall[flat]! += 1;
   const tilt = radians(20);
@@ -234,7 +234,7 @@ describe('lights in a grid', () => {
         ]).length;
       }
     }
-    const circle = (radius: number): number => (36 * Math.PI * radius ** 2) / (step[0] * step[2]);
+    const circle = (radius: number) => (36 * Math.PI * radius ** 2) / (step[0] * step[2]);
     const radius = 2 * Math.tan(radians(20));
     const diagonal = Math.hypot(step[0], step[2]);
     expect(listed).toBeGreaterThan(circle(radius));
@@ -256,7 +256,7 @@ describe('lights in a grid', () => {
     expect(into).toMatchObject({ active: packed.active, sent: packed.sent, counts: packed.counts });
     expect(rowOf(into, HEADER.ambient)).toEqual(rowOf(packed, HEADER.ambient));
     expect(rowOf(into, HEADER.counts)).toEqual(rowOf(packed, HEADER.counts));
-    const texts = (one: PackedLights): string[] => {
+    const texts = (one: PackedLights) => {
       let i = 0;
       return rowsOf(one).flatMap((rows, kind) =>
         rows.map((row) => {
@@ -325,8 +325,7 @@ describe('cells', () => {
 
 describe('a grid is made where it pays', () => {
   const random = new Random(SEED);
-  const times = (count: number, one: LightValues): LightValues[] =>
-    Array.from({ length: count }, () => one);
+  const times = (count: number, one: LightValues) => Array.from({ length: count }, () => one);
   const suns = (count: number) => times(count, light({ position: [0, 1, 0, 0] }));
   const lamps = (count: number) =>
     times(count, light({ position: [0, 1, 0, 1], attenuation: [1, 0, 1000] }));

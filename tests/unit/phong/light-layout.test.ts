@@ -23,7 +23,7 @@ import {
 } from '../../../src/phong/light/precision.js';
 
 /** Names and texts. Read in each test: what a module does while it loads no test is charged with. */
-const readDefines = (): Map<string, string> =>
+const readDefines = () =>
   new Map(
     layoutDefines()
       .split('\n')
@@ -65,7 +65,7 @@ describe('the loop over the lights', () => {
   it.each(KINDS)('reads every value that is packed for a %s light', (kind) => {
     const name = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
     const body = new RegExp(`void add${name}\\([^]*?\\n\\}`).exec(shaders)?.[0] ?? '';
-    const isRead = (value: string): boolean => new RegExp(`\\blight\\.${value}\\b`).test(body);
+    const isRead = (value: string) => new RegExp(`\\blight\\.${value}\\b`).test(body);
     expect(PACKED_VALUES[kind].map((value) => value.name).filter((one) => !isRead(one))).toEqual(
       [],
     );

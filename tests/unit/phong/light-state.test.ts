@@ -95,7 +95,7 @@ it('the equation takes every value in the terms that the table says, and in no o
   const gray = [200, 200, 200] as const;
   const surface = { ka: gray, kd: gray, ks: gray, shininess: 2 };
   const camera = { right: [0.6, 0, -0.8], up: [0, 1, 0], back: [0.8, 0, 0.6] } as const;
-  const numberOf = (light: LightValues, term: Term): string =>
+  const numberOf = (light: LightValues, term: Term) =>
     String(shade(fragment, surface, [light], { camera }).shares[0]?.[term]);
   const lights = fc.sample(plainLight, { numRuns: 400, seed: 1 });
   for (const [key, { shading }] of Object.entries(LIGHT_FIELDS)) {

@@ -47,8 +47,7 @@ const names = [
 ];
 const BOTH = new Set([true, false]);
 
-const text = (path: string): string =>
-  readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
+const text = (path: string) => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
 const stacks = readStacks();
 
 describe('the stress run', () => {

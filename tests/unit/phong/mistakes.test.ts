@@ -35,8 +35,8 @@ const given: fc.Arbitrary<Given> = fc.record({
 });
 
 /** The reference takes colours as HTML writes them. */
-const html = (color: Vec3): Vec3 => scale(color, 255);
-const unit = (color: Vec3): Vec3 => scale(color, 1 / 255);
+const html = (color: Vec3) => scale(color, 255);
+const unit = (color: Vec3) => scale(color, 1 / 255);
 
 function byReference({ light, material, terms, reflection, ...fragment }: Given) {
   const { ambient, diffuse, specular } = light;

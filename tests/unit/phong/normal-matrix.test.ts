@@ -20,7 +20,7 @@ const normals = (model: Matrix4): Matrix3 => {
   return out;
 };
 
-const through = (model: Matrix4, normal: readonly [number, number, number]): Vector3 =>
+const through = (model: Matrix4, normal: readonly [number, number, number]) =>
   new Vector3(...normal).applyMatrix3(normals(model)).normalize();
 
 const angles = triple(fc.double({ min: -4, max: 4, noNaN: true }));

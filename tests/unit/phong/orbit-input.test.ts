@@ -65,25 +65,24 @@ function setUp() {
   });
   input.connect();
   /** Dispatches an event and returns whether its default action was prevented. */
-  const fire = (type: string, values: object = {}, on: EventTarget = surface): boolean => {
+  const fire = (type: string, values: object = {}, on: EventTarget = surface) => {
     const event = new Event(type, { cancelable: true });
     for (const [key, value] of Object.entries(values)) {
       Object.defineProperty(event, key, { value });
     }
     return !on.dispatchEvent(event);
   };
-  const mouse = (type: string, clientX: number, values: object = {}): boolean =>
+  const mouse = (type: string, clientX: number, values: object = {}) =>
     fire(type, { ...MOUSE, clientX, ...values });
-  const touch = (type: string, pointerId: number, clientX: number, clientY = 0): boolean =>
+  const touch = (type: string, pointerId: number, clientX: number, clientY = 0) =>
     mouse(type, clientX, { pointerType: 'touch', pointerId, clientY });
-  const wheel = (deltaY: number, values: object = {}): boolean =>
+  const wheel = (deltaY: number, values: object = {}) =>
     fire('wheel', { deltaY, deltaMode: 0, ...values });
-  const key = (name: string, values: object = {}): boolean =>
-    fire('keydown', { key: name, ...values });
+  const key = (name: string, values: object = {}) => fire('keydown', { key: name, ...values });
   const listening = vi.spyOn(window, 'addEventListener');
   /** Whether the next click is kept from the page. */
-  const keepsClick = (): boolean => listening.mock.calls.some(([type]) => type === 'click');
-  const menu = (timeStamp: number): boolean => fire('contextmenu', { timeStamp }, window);
+  const keepsClick = () => listening.mock.calls.some(([type]) => type === 'click');
+  const menu = (timeStamp: number) => fire('contextmenu', { timeStamp }, window);
   return {
     surface,
     window,
@@ -324,7 +323,7 @@ describe('defaults of the browser', () => {
     '%s is prevented for two fingers that hold the picture',
     (type) => {
       const { fire, touch } = setUp();
-      const fingers = (length: number): boolean => fire(type, { targetTouches: { length } });
+      const fingers = (length: number) => fire(type, { targetTouches: { length } });
       expect(fingers(2)).toBe(false);
       touch('pointerdown', 1, 0);
       expect(fingers(1)).toBe(false);
@@ -394,13 +393,13 @@ interface Place {
 function randomSetUp() {
   const coarse = seeded(SEED);
   // All bits of a double: with the generator's 32 bits every product below would be exact.
-  const random = (): number => coarse() + coarse() * 2 ** -32;
-  const from = (low: number, high: number): number => low + (high - low) * random();
+  const random = () => coarse() + coarse() * 2 ** -32;
+  const from = (low: number, high: number) => low + (high - low) * random();
   const { fire, ...hand } = setUp();
   hand.surface.focused = true;
   // A window would wait for the click after each drag.
   Object.assign(hand.surface.ownerDocument, { defaultView: null });
-  const pointer = (type: string, place: Place, more: object = {}): boolean =>
+  const pointer = (type: string, place: Place, more: object = {}) =>
     fire(type, { ...MOUSE, ...place, ...more });
   const anyPlace = (): Place => ({ clientX: from(-3000, 3000), clientY: from(-3000, 3000) });
   const anyPose = (): Pose => ({
@@ -410,7 +409,7 @@ function randomSetUp() {
     target: [from(-9, 9), from(-9, 9), from(-9, 9)],
   });
   /** Up to four moves; any of them can be a return to the start. */
-  const wander = (more?: object): void => {
+  const wander = (more?: object) => {
     for (let moves = Math.ceil(4 * random()); moves > 0; moves--) {
       pointer('pointermove', anyPlace(), more);
     }
@@ -419,7 +418,7 @@ function randomSetUp() {
    * Repeats `drag`, which returns the pose that it should end in, each time from the pose that the
    * last one left.
    */
-  const expectNoTrace = (drags: number, drag: () => Pose): void => {
+  const expectNoTrace = (drags: number, drag: () => Pose) => {
     for (let i = 0; i < drags; i++) {
       if (i % 1000 === 0) {
         hand.orbit.set(anyPose());
@@ -439,7 +438,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     const { orbit, pointer, anyPlace, random, wander, expectNoTrace } = randomSetUp();
     const buttons = [{}, { shiftKey: true }, { button: 2, buttons: 2 }];
     let moved = 0;
-    const drag = (): Pose => {
+    const drag = () => {
       const { pose, version } = orbit;
       const [start, button] = [anyPlace(), buttons[Math.floor(3 * random())]];
       pointer('pointerdown', start, button);
@@ -458,7 +457,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
   it('leaves none with two fingers, which shift and pinch', () => {
     const { orbit, pointer, anyPlace, random, wander, expectNoTrace } = randomSetUp();
     const finger = (pointerId: number): object => ({ pointerType: 'touch', pointerId });
-    const drag = (): Pose => {
+    const drag = () => {
       const { pose } = orbit;
       const starts = [anyPlace(), anyPlace()];
       starts.forEach((start, i) => pointer('pointerdown', start, finger(i)));
@@ -497,7 +496,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
         }
       },
     ];
-    const drag = (): Pose => {
+    const drag = () => {
       pointer('pointerdown', anyPlace());
       hand.wander();
       const here = anyPlace();

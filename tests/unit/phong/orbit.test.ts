@@ -11,7 +11,7 @@ import { Dice } from '../../visual/random-scene.js';
 import { repeats, SEED } from '../../support/repeats.js';
 
 /** These angles, and what lies beside them by any power of ten. */
-const beside = (...angles: readonly number[]): fc.Arbitrary<number> =>
+const beside = (...angles: readonly number[]) =>
   fc
     .tuple(fc.constantFrom(...angles), fc.integer({ min: -324, max: 0 }), fc.constantFrom(-1, 1))
     .map(([angle, power, sign]) => angle + sign * 10 ** power);

@@ -30,7 +30,7 @@ import { loop, pack, read, WORLD } from '../packed-reader.js';
 import { translation } from '../../support/matrices.js';
 
 const f = Math.fround;
-const floats = (...numbers: number[]): number[] => numbers.map(f);
+const floats = (...numbers: number[]) => numbers.map(f);
 const colors = { ambient: [51, 102, 153], diffuse: [255, 128, 0], specular: [510, 0, 1] } as const;
 const lamp = { ...colors, position: [1, 2, 3, 1] } as const satisfies Partial<LightValues>;
 const BLACK = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
@@ -50,17 +50,17 @@ it('keeps colours above 255', () => {
 });
 
 it('makes a cone of no width as wide as float32 needs for its own axis', () => {
-  const limit = (aperture: number): number =>
+  const limit = (aperture: number) =>
     read(pack([light({ ...spot, aperture })])).spot[0]!['ambient']!.w;
   expect(2 * Math.asin(Math.sqrt(limit(0)))).toBeCloseTo(1e-6, 9);
   expect(limit(1e-4)).toBe(f(coneLimit(1e-4)));
 });
 
 it('sorts lights by kind, and within a kind as declared', () => {
-  const at = (x: number, more: Partial<LightValues> = {}): LightValues =>
+  const at = (x: number, more: Partial<LightValues> = {}) =>
     light({ position: [x, 0, 0, 1], ...more });
   const cone = { aperture: 20 };
-  const toward = (y: number): LightValues => light({ position: [0, y, 0, 0] });
+  const toward = (y: number) => light({ position: [0, y, 0, 0] });
   const packed = pack([at(1, cone), at(2), toward(1), at(3), at(4, cone), toward(-1)]);
   const all = read(packed);
   expect(all.counts).toStrictEqual([2, 2, 2]);
@@ -201,7 +201,7 @@ it('a selection of lights is packed as these lights alone, but with the ambient 
 describe('the cone and decay of a directional light', () => {
   it.each([1e-3, 0.5, 10, 45, 89, 91, 120, 179, 179.999])('end at %d degrees', (degrees) => {
     const angle = (degrees * Math.PI) / 180;
-    const sent = (aperture: number): number =>
+    const sent = (aperture: number) =>
       pack([
         light({ position: [Math.sin(angle), Math.cos(angle), 0, 0], axis: [0, -1, 0], aperture }),
       ]).sent;
@@ -228,7 +228,7 @@ describe('the cone and decay of a directional light', () => {
 
   it('keep the digits of a decay right behind, also with a tiny cutoff', () => {
     const off = 2e-9;
-    const behind = (values: Partial<LightValues>): number => {
+    const behind = (values: Partial<LightValues>) => {
       const packed = pack([light({ position: [off, 1, 0, 0], axis: [0, 1, 0], ...values })]);
       return read(packed).directional[0]!['diffuse']!.xyz[0];
     };
@@ -402,7 +402,7 @@ describe("the cone's limit", () => {
   });
 
   it('is below 0 exactly where the far side is compared, never underflows, and grows with the aperture', () => {
-    const included = (aperture: number): number => {
+    const included = (aperture: number) => {
       const limit = coneLimit(aperture);
       return limit < 0 ? 1 + limit : limit;
     };

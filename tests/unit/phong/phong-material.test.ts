@@ -29,7 +29,7 @@ function lit(
   const mesh = new Mesh(new BoxGeometry(), material) as Mesh<BufferGeometry, PhongMaterial>;
   const camera = new PerspectiveCamera();
   camera.position.z = 5;
-  const draw = (frames = 1): number => {
+  const draw = (frames = 1) => {
     for (let i = 0; i < frames; i++) {
       camera.updateMatrixWorld();
       lighting.update(camera);

@@ -10,7 +10,7 @@ describe('the offsets of samples', () => {
         expect(Math.max(x, y)).toBeLessThan(0.5);
       }
       for (let a = 0; a <= k; a++) {
-        const box = (x: number, columns: number): number => Math.floor((x + 0.5) * columns);
+        const box = (x: number, columns: number) => Math.floor((x + 0.5) * columns);
         const boxes = new Set(
           points.map(({ x, y }) => `${box(x, 2 ** a)} ${box(y, 2 ** (k - a))}`),
         );

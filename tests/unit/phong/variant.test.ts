@@ -39,7 +39,7 @@ const materialOf = (difference: Difference = {}): MaterialFeatures => ({
 
 const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
 
-const generalKey = (lights: readonly LightValues[], material: Difference = {}): string =>
+const generalKey = (lights: readonly LightValues[], material: Difference = {}) =>
   generalVariant(materialOf(material), declaredFeatures(lights), 0).key;
 
 const EVERYTHING = [

@@ -8,7 +8,7 @@ import { SCENE_NAMES } from '../../../src/phong/mistakes/sheet.js';
 const rows = vectors();
 const KEYS = ['ambient', 'diffuse', 'specular', 'specularBlinn'] as const;
 
-const farthest = (of: (row: VectorRow) => Pick<VectorRow, (typeof KEYS)[number]>): number =>
+const farthest = (of: (row: VectorRow) => Pick<VectorRow, (typeof KEYS)[number]>) =>
   Math.max(
     ...rows.flatMap((row) => {
       const found = of(row);

@@ -9,7 +9,7 @@ const limit = { side: 4096, area: 1920 * 1080 };
 const side = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: 1, max: limit.side }));
 const sizes = fc.array(fc.record({ width: side, height: side }), { minLength: 1, maxLength: 60 });
 
-const apart = (a: Region, b: Region): boolean =>
+const apart = (a: Region, b: Region) =>
   a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
 describe('an atlas of pictures', () => {

@@ -130,14 +130,14 @@ describe('sizes', () => {
 function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly odd: number } {
   const edges = new Map<string, number>();
   // Adding 0 makes -0 equal to 0.
-  const key = (p: Vec3): string => p.map((v) => v + 0).join();
+  const key = (p: Vec3) => p.map((v) => v + 0).join();
   for (const { corners } of triangles(geometry)) {
     corners.forEach((corner, i) => {
       const edge = `${key(corner)} ${key(corners[(i + 1) % 3]!)}`;
       edges.set(edge, (edges.get(edge) ?? 0) + 1);
     });
   }
-  const reverse = (edge: string): number => edges.get(edge.split(' ').reverse().join(' ')) ?? 0;
+  const reverse = (edge: string) => edges.get(edge.split(' ').reverse().join(' ')) ?? 0;
   const all = [...edges];
   const open = all.filter(([edge]) => reverse(edge) === 0).length;
   return { open, odd: all.filter(([edge, count]) => count !== 1 || reverse(edge) > 1).length };
@@ -151,8 +151,7 @@ describe('a cut shape', () => {
     for (let i = 0; i < 200; i++) {
       // Round numbers too: cubes that end exactly in a face or in an edge.
       const round = dice.chance(0.5);
-      const place = (): number =>
-        round ? dice.pick([-1, -0.5, -0.25, 0, 0.5, 1]) : dice.from(-1, 1);
+      const place = () => (round ? dice.pick([-1, -0.5, -0.25, 0, 0.5, 1]) : dice.from(-1, 1));
       const size = 2 ** -dice.pick([1, 2, 5, 10, 16]);
       const cut: Cut = {
         center: [place(), place(), place()],
@@ -178,7 +177,7 @@ describe('a cut shape', () => {
   it.each(['box', 'plane'] as const)(
     'has the texture coordinates of the whole %s',
     async (name) => {
-      const at = (geometry: BufferGeometry): string[] =>
+      const at = (geometry: BufferGeometry) =>
         Array.from({ length: geometry.getAttribute('position').count }, (_, i) =>
           [
             ...vertex(geometry, 'position', i),

@@ -27,7 +27,7 @@ const HEADLIGHT = new LightState({ space: 'camera', position: [0, 0, 1, 0] }).va
 const POSE = { theta: 30, phi: 70 };
 const gray = (code: number): Vec3 => [code, code, code];
 
-const built = async (name: RoundName, segments: number, isLevel: boolean): Promise<CastShape> =>
+const built = async (name: RoundName, segments: number, isLevel: boolean) =>
   trianglesOf(await createGeometry(name, segments, isLevel));
 
 /**
@@ -44,7 +44,7 @@ function pictureOf(name: RoundName, size: number, pose: Pick<Pose, 'theta' | 'ph
     slopeY: SLOPE,
     radius,
   };
-  const tracer = (shape: CastShape, shininess: number): Tracer => {
+  const tracer = (shape: CastShape, shininess: number) => {
     const material = { ka: gray(200), kd: gray(200), ks: gray(128), shininess };
     const camera = { ...basis, eye, fov: FOV };
     return new Tracer({ camera, lights: [HEADLIGHT], objects: [{ shape, material }] }, size, size);
@@ -134,7 +134,7 @@ it.each(CASES)(
         const x = Math.floor(size * ((k * 0.7548776662) % 1));
         const y = Math.floor(size * ((k * 0.5698402909) % 1));
         const center = hitAt(x + 0.5, y + 0.5);
-        const isSmooth = (i: number): boolean => {
+        const isSmooth = (i: number) => {
           const corner = hitAt(x + 0.02 + 0.96 * (i & 1), y + 0.02 + 0.96 * (i >> 1));
           return (
             corner !== null &&

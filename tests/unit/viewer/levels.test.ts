@@ -22,7 +22,6 @@ import {
 import { FIXED, type Level } from '../../../src/viewer/scene/mesh/shared-shapes.js';
 import type { Frame } from '../../../src/viewer/scene/frame.js';
 import { Levels } from '../../../src/viewer/scene/mesh/levels.js';
-import type { Cut } from '../../../src/phong/model/shapes/cut-faces.js';
 import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;
@@ -146,7 +145,7 @@ describe('the number of segments that a shape needs', () => {
     const distance = view.frame.eye[2];
     // Rays that touch the sphere on both sides, and once with the radius that is drawn.
     return [-1, 1].flatMap((sign) => {
-      const angle = (radius: number): number =>
+      const angle = (radius: number) =>
         Math.atan2(aside, distance) + sign * Math.asin(radius / Math.hypot(aside, distance));
       const place = Math.tan(angle(0.5));
       if (Math.abs(angle(0.5)) >= Math.PI / 2 || Math.abs(place) > edge) return [];
@@ -261,7 +260,7 @@ describe('the level of a shape', () => {
 });
 
 describe('a flat shape', () => {
-  const isLarge = (name: 'plane' | 'box', size: Vec3, eye: Vec3): boolean => {
+  const isLarge = (name: 'plane' | 'box', size: Vec3, eye: Vec3) => {
     const turn = new Matrix4().makeRotationFromEuler(new Euler(1, 2, 3)).setPosition(5, 6, 7);
     const origin = new Vector3(1, 2, 3);
     const seen = new Vector3(...eye).applyMatrix4(turn).sub(origin);
@@ -287,7 +286,7 @@ describe('a flat shape', () => {
   });
 
   it('that is large is cut the same for an eye that moves a little, by cubes that reach its distance', () => {
-    const cutFrom = (x: number, y: number): Cut => {
+    const cutFrom = (x: number, y: number) => {
       const view = viewFrom(1);
       const frame = { ...view.frame, origin: [0, 0, 0] as Vec3, eye: [x, y, 0] as Vec3 };
       const matrix = new Matrix4().makeScale(80, 1, 40).elements;
@@ -319,7 +318,7 @@ describe('a flat shape', () => {
         }));
       },
     });
-    const look = (z: number): string => {
+    const look = (z: number) => {
       passes = 0;
       const view = viewFrom(1);
       const frame = { ...view.frame, origin: [0, 0, 0] as Vec3, eye: [0, 0, z] as Vec3 };

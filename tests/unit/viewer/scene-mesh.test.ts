@@ -146,7 +146,7 @@ it('draws meshes in document order, whenever added or changed, and own objects l
   own.name = 'own';
   picture.scene.children.unshift(own);
   own.parent = picture.scene;
-  const names = (): string => {
+  const names = () => {
     picture.updateMatrices();
     return picture.scene.children.map(({ name }) => name).join(' ');
   };

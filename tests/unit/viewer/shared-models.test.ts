@@ -1,6 +1,6 @@
 // Do meshes with the same source share one download and one content, each with a motion, a look and
 // a budget of its own?
-import { type BufferGeometry, Scene } from 'three';
+import { Scene } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { MeshValues } from '../../../src/phong/model/mesh-fields.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
@@ -60,11 +60,10 @@ function viewerOf() {
   return { budget: host.picture.budget, errors, add };
 }
 
-const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>
+const there = (...meshes: readonly { readonly mesh: SceneMesh }[]) =>
   expect.poll(() => meshes.filter(({ mesh }) => mesh.shown.root === null)).toEqual([]);
-const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry =>
-  mesh.shown.parts[0]!.mesh.geometry;
-const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
+const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }) => mesh.shown.parts[0]!.mesh.geometry;
+const positionsOf = (one: { readonly mesh: SceneMesh }) =>
   one.mesh.shown.parts.flatMap(({ mesh }) => [
     ...mesh.geometry.getAttribute('position').array,
     ...mesh.matrix.elements,

@@ -64,7 +64,7 @@ const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort
 
 describe('the ready sets', () => {
   const sets = Object.fromEntries(LANGUAGES.map((language) => [language, readyTexts(language)]));
-  const entriesOf = (language: string): [string, string][] => Object.entries(sets[language]!);
+  const entriesOf = (language: string) => Object.entries(sets[language]!);
 
   it('are in five languages, and one of them as in Portugal', () => {
     expect(LANGUAGES).toEqual(['de', 'es', 'fr', 'pt', 'pt-PT']);
@@ -108,7 +108,7 @@ describe('the ready sets', () => {
     expect(entriesOf('es').filter(([, text]) => /\busted/i.test(text))).toEqual([]);
     const aboutHighlights = /highlight/;
     for (const language of ['es', 'pt', 'pt-PT']) {
-      const shiny = ([key, text]: [string, string]): boolean =>
+      const shiny = ([key, text]: [string, string]) =>
         aboutHighlights.test(key) && /brilho|brillo/i.test(text);
       expect(entriesOf(language).filter(shiny)).toEqual([]);
     }
