@@ -93,4 +93,4 @@ function pngChunk(type: string, data: Uint8Array): Buffer {
  * The checksum of PNG chunks (ISO 3309): gzip's too, at its end. Node has `crc32` from version 22
  * on only.
  */
-const crc32 = (bytes: Uint8Array): number => gzipSync(bytes).subarray(-8).readUInt32LE();
+const crc32 = (bytes: Uint8Array) => gzipSync(bytes).subarray(-8).readUInt32LE();

@@ -17,7 +17,7 @@ const TRIANGLE = floats(0, 0, 0, 1, 0, 0, 0, 1, 0);
 const POSITIONS = { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' };
 
 /** The numbers from 0 to `count` - 1. */
-const upTo = (count: number): number[] => Array.from({ length: count }, (_, i) => i);
+const upTo = (count: number) => Array.from({ length: count }, (_, i) => i);
 
 /** A sound document with one triangle; `more` replaces its entries. */
 export function triangleDocument(more: Json = {}): Json {
@@ -293,7 +293,7 @@ export function barClaimsGlb(
   return barGlb({ accessors });
 }
 
-const whole = (random: Random, low: number, high: number): number =>
+const whole = (random: Random, low: number, high: number) =>
   Math.floor(random.magnitude(low, high));
 
 type Construct = (random: Random) => readonly [what: string, bytes: Buffer];

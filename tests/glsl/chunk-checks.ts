@@ -129,7 +129,7 @@ const CHECKS: readonly Check[] = [
       result.y = attenuation(vec3(a.x, 0.0, a.z), b.x, b.x * b.x, FEATURE_CLAMPED);
       result.z = attenuation(vec3(1.0 + a.x, a.yz), b.x, b.x * b.x, FEATURE_LINEAR);`,
     inputs(random) {
-      const k = (): number => f(random.pick([0, 1, random.magnitude(1e-6, 1e6)]));
+      const k = () => f(random.pick([0, 1, random.magnitude(1e-6, 1e6)]));
       return [[k(), k(), k()], [f(random.pick([0, random.magnitude(1e-15, 1e15)]))]];
     },
     expected: ([kc, kl, kq], [d]) => [
@@ -250,7 +250,7 @@ export function checkChunks(
   { cases, only, everyLight }: Extent,
 ): Checked[] {
   const glsl = onDriver(edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
-  const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
+  const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>) =>
     (defines.some((define) => define.startsWith('LIGHT_STORAGE')) ? '' : head('STORAGE_OWN')) +
     defines.map((define) => `#define ${define}\n`).join('') +
     rows +
@@ -264,7 +264,7 @@ export function checkChunks(
   return [...checks, checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2)];
 }
 
-const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
+const head = (storage: string) => `#define LIGHT_STORAGE ${storage}\n`;
 const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
 
 type Gl = WebGL2RenderingContext;

@@ -154,7 +154,7 @@ void main() {
   }
 }
 
-const samplerOf = (input: string): string => `u_${input}`;
+const samplerOf = (input: string) => `u_${input}`;
 
 /** A program that runs this fragment shader on every pixel. Throws with the driver's words. */
 export function fullScreenProgram(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
@@ -180,7 +180,7 @@ export function fullScreenProgram(gl: WebGL2RenderingContext, fragment: string):
   return program;
 }
 
-const numbered = (source: string): string =>
+const numbered = (source: string) =>
   source
     .split('\n')
     .map((line, i) => `${i + 1}: ${line}`)

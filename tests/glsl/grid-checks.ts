@@ -54,7 +54,7 @@ export function gridCheck(): Check {
     inputs(random) {
       for (;;) {
         // The faces, and beyond them as far as rounding may take a fragment.
-        const along = (k: 0 | 1 | 2): number => {
+        const along = (k: 0 | 1 | 2) => {
           const [low, high] = [FLOOR[k], FLOOR[k + 3]!];
           const within = [random.from(low, high), random.from(low, high)];
           return random.pick([...within, low - 4e-6, low, high, high + 4e-6]);

@@ -120,7 +120,7 @@ const STEEP = lightWith({ ...COLORS, position: PLACE, axis: [0, 0, -1], aperture
 
 const EVERYTHING = declaredFeatures([...EVERY_KIND, STEEP]);
 
-const declaredBefore = (history: History, { lights }: StressCase): number =>
+const declaredBefore = (history: History, { lights }: StressCase) =>
   history === 'everything' ? EVERYTHING : declaredFeatures([...EVERY_KIND, ...lights]);
 
 /**
@@ -148,7 +148,7 @@ const AT_RUN_TIME: Readonly<Record<string, string | null>> = {
  * Defines that leave code out but change no number, or that are what a form is: no part of a
  * program's name.
  */
-const isTrait = (name: string): boolean =>
+const isTrait = (name: string) =>
   name === 'INTEGER_SHININESS' ||
   !(name in AT_RUN_TIME || NO_TRAITS.includes(name) || name.startsWith('HAS_'));
 

@@ -106,7 +106,7 @@ function writeCase(
 ): void {
   const { p, eye, normal, normalMatrix: m = [], surface } = stress;
   // Ka, Kd and Ks as the material sends them.
-  const channel = (k: number): number => (linear ? srgbDecode(k / 255) : k / 255);
+  const channel = (k: number) => (linear ? srgbDecode(k / 255) : k / 255);
   const [ka, kd, ks] = [surface.ka.map(channel), surface.kd.map(channel), surface.ks.map(channel)];
   const { first, masks } = rows.add(stress);
   const values = [

@@ -57,7 +57,7 @@ function blinnInputs(random: Random): readonly [number[], number[]] {
 /** V = -L but for the last digits of float32, in which a device may leave either. */
 function opposed(random: Random): readonly [number[], number[]] {
   const [L] = lobeInputs(random);
-  const ulp = (x: number): number => 2 ** -23 * x * random.pick([-1, 0, 1]);
+  const ulp = (x: number) => 2 ** -23 * x * random.pick([-1, 0, 1]);
   return [L, [...float32(L.map((x) => -x + ulp(x)) as unknown as Vec3)]];
 }
 
@@ -128,7 +128,7 @@ const SURFACE = white(8);
 /** Lights of every kind and feature around a unit ball. */
 function allLights(): LightValues[] {
   const random = new Random(1);
-  const lamp = (values: Partial<LightValues>): LightValues => {
+  const lamp = (values: Partial<LightValues>) => {
     const place = scale(random.unit(), random.from(2, 4));
     const color = {
       ambient: random.color(60),
@@ -254,11 +254,11 @@ export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): bo
 }
 
 /** No cone or decay is steep, so that cosines do: the general program has no chords. */
-const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
+const isGentle = ({ aperture, cutoff }: LightValues) =>
   (aperture === 180 || (aperture >= 15 && aperture <= 165)) &&
   (cutoff === 0 || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF));
 
-const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
+const isSpot = ({ aperture, cutoff }: LightValues) => aperture < 180 || cutoff > 0;
 
 /**
  * @param every of the lights, each so many-th alone: a driver in software takes the square of a

@@ -56,7 +56,7 @@ export async function stressRun(
   const chosen = CATEGORIES.filter(({ id }) => only.length === 0 || only.includes(id));
   const passes = new Passes(gl, driver, edit);
   // Where many lights make a case, the share of the work is what counts.
-  const weight = ({ lights = 1 }: Category): number => 1 / Math.max(1, lights / 8);
+  const weight = ({ lights = 1 }: Category) => 1 / Math.max(1, lights / 8);
   const each =
     cases / PROGRAMS_A_CASE / chosen.reduce((sum, category) => sum + weight(category), 0);
   const results: Measured[] = [];

@@ -94,7 +94,7 @@ async function showsTheEquation(tab: Tab, what: string, share: number): Promise<
   expect(pass, `${what}: ${message}`).toBe(true);
 }
 
-const show = (tab: Tab, markup: string): Promise<null> =>
+const show = (tab: Tab, markup: string) =>
   tab.run(async (text) => {
     document.querySelector('phong-viewer')!.outerHTML = text;
     await document.querySelector<PhongViewer>('phong-viewer')!.ready;
@@ -102,10 +102,10 @@ const show = (tab: Tab, markup: string): Promise<null> =>
   }, named(markup));
 
 /** Opens the panel's folder and types into one of its rows. */
-const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string): Promise<null> =>
+const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string) =>
   tab.onViewer(
     async (viewer, [title, label, value]) => {
-      const found = async <T extends HTMLElement>(selector: string, words: string): Promise<T> => {
+      const found = async <T extends HTMLElement>(selector: string, words: string) => {
         for (let frames = 0; frames < 600; frames++) {
           const all = viewer.shadowRoot!.querySelectorAll<T>(selector);
           const one = [...all].find(({ textContent }) => textContent === words);

@@ -109,7 +109,7 @@ async function webkitTab(): Promise<Tab> {
     await send('POST', '/actions', { actions });
   const mouse = (...actions: readonly object[]) =>
     act({ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions });
-  const execute = async (call: string, argument: unknown): Promise<unknown> => {
+  const execute = async (call: string, argument: unknown) => {
     const script = `const [argument, done] = arguments;
       (async () => ${call})().then(
         (value) => done({ value }),

@@ -90,11 +90,11 @@ function inCamera(light: LightValues, eye: Vec3): LightValues {
 }
 
 /** Exponents as most scenes have them, whole ones among them. */
-const mildExponent = (random: Random, most: number): number =>
+const mildExponent = (random: Random, most: number) =>
   random.chance(0.5) ? random.from(1, most) : Math.ceil(random.from(0, most));
 
 /** In and around a highlight, under a spot near its axis: the errors of both powers add up. */
-const mildPowers = (random: Random, variant: Variant): StressCase =>
+const mildPowers = (random: Random, variant: Variant) =>
   underSpot(
     random,
     highlight(random, mildExponent(random, random.pick([64, LARGEST_MILD_POWER])), variant),
@@ -152,8 +152,7 @@ function near(random: Random): StressCase {
 function attenuated(random: Random): StressCase {
   const fragment = seen(random);
   const constant = random.pick([0, 1, random.magnitude(1e-3, 1e6), 1e6]);
-  const falling = (): number =>
-    random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
+  const falling = () => random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
   const attenuation: Vec3 = random.chance(0.2) ? [0, 0, 0] : [constant, falling(), falling()];
   const L = random.around(fragment.N, random.from(0, 1.5));
   const far = random.pick([0.1, 1, 10, 1e3, 1e6, 1e12]) * random.from(0.5, 2);
@@ -178,8 +177,8 @@ function bright(random: Random): StressCase {
 /** Bright lights on bright materials; the fragment is anywhere about a spot, mostly behind it. */
 function brightMaterial(random: Random): StressCase {
   const fragment = seen(random);
-  const brightness = (): number => random.pick([255, 1e4, 1e6, random.magnitude(1, 1e6)]);
-  const color = (): Vec3 => random.color(brightness());
+  const brightness = () => random.pick([255, 1e4, 1e6, random.magnitude(1, 1e6)]);
+  const color = () => random.color(brightness());
   const angle = random.chance(0.7) ? Math.PI - random.magnitude(1e-6, 0.5) : random.from(0, 3);
   const light = spotOver(random, fragment.p, angle, {
     ambient: color(),
@@ -630,7 +629,7 @@ function turned(random: Random, size: Vec3): Matrix4 {
   return new Matrix4().compose(new Vector3(), turn, new Vector3(...size));
 }
 
-const anySize = (random: Random): number => random.sign() * random.magnitude(0.1, 10);
+const anySize = (random: Random) => random.sign() * random.magnitude(0.1, 10);
 
 /** As a mesh element can place one: turned, and scaled by as much as attributes allow. */
 function placed(random: Random): StressCase {
@@ -655,7 +654,7 @@ function flattened(random: Random): StressCase {
  * other.
  */
 function sheared(random: Random): StressCase {
-  const uneven = (): Matrix4 => turned(random, [anySize(random), anySize(random), anySize(random)]);
+  const uneven = () => turned(random, [anySize(random), anySize(random), anySize(random)]);
   return onMesh(random, uneven().multiply(uneven()));
 }
 
@@ -673,7 +672,7 @@ const SHARED_BY = 32;
 function sum(count: number): Category['make'] {
   let lights: readonly LightValues[] = [];
   let left = 0;
-  return (random: Random): StressCase => {
+  return (random: Random) => {
     const fragment = seen(random);
     if (left === 0) {
       left = SHARED_BY;

@@ -96,8 +96,7 @@ function spotAngle(light: LightValues, share: LightShare): number {
   return Math.atan2(length(cross(share.L, A)), -dot(share.L, A));
 }
 
-const hasCone = (light: LightValues): boolean =>
-  light.aperture < 180 && dot(light.axis, light.axis) > 0;
+const hasCone = (light: LightValues) => light.aperture < 180 && dot(light.axis, light.axis) > 0;
 
 /**
  * Radians to the nearest edge of a cone, negative inside of it; Infinity where no light has a cone.
@@ -166,4 +165,4 @@ function lobe(
   return null;
 }
 
-const lit = (color: Vec3): boolean => color[0] > 0 || color[1] > 0 || color[2] > 0;
+const lit = (color: Vec3) => color[0] > 0 || color[1] > 0 || color[2] > 0;

@@ -178,11 +178,11 @@ export function nearlyOpposite(random: Random, n: number): StressCase {
  * unit vector is as wrong as inversesqrt may make it, and N counts four times in R·V.
  */
 export function straight(random: Random, n: number): StressCase {
-  const length = (sizes: readonly number[]): number =>
+  const length = (sizes: readonly number[]) =>
     random.pick(sizes) * (1 - random.magnitude(1e-7, 1e-2));
   const N = random.unit();
   const normal = float32(scale(N, length([0.5, 1])));
-  const beside = (): Vec3 => random.around(N, chordAngle(random.magnitude(1e-6, 0.1) / n));
+  const beside = () => random.around(N, chordAngle(random.magnitude(1e-6, 0.1) / n));
   const p = float32(random.vector(-1, 1));
   const eye = float32(add(p, scale(beside(), length([1, 2, 4]))));
   const far = scale(beside(), length([0.5, 1, 2, 4]));
@@ -222,14 +222,14 @@ export function scaled(stress: StressCase, s: number): StressCase {
     if (light.position[3] === 0) return light;
     const [x, y, z] = light.position;
     const [kc, kl, kq] = light.attenuation;
-    const cap = (k: number): number => Math.min(k, LIMITS.attenuation);
+    const cap = (k: number) => Math.min(k, LIMITS.attenuation);
     return {
       ...light,
       position: [x * s, y * s, z * s, 1],
       attenuation: [kc, cap(kl / s), cap(kq / s / s)],
     };
   });
-  const grown = (v: Vec3): Vec3 => float32(scale(v, s));
+  const grown = (v: Vec3) => float32(scale(v, s));
   return { ...stress, p: grown(stress.p), eye: grown(stress.eye), lights };
 }
 
@@ -240,7 +240,7 @@ export function scaled(stress: StressCase, s: number): StressCase {
 export function moved(random: Random, stress: StressCase, distance: number): StressCase {
   const grid = (v: Vec3): Vec3 => [snap(v[0]), snap(v[1]), snap(v[2])];
   const origin = grid(scale(random.unit(), distance));
-  const lights = stress.lights.map((light): LightValues => {
+  const lights = stress.lights.map((light) => {
     if (light.position[3] === 0 || light.space === 'camera') return light;
     const [x, y, z] = light.position;
     return { ...light, position: place(add(origin, [x, y, z])) };
@@ -249,4 +249,4 @@ export function moved(random: Random, stress: StressCase, distance: number): Str
 }
 
 /** To 2^-20: exact in float32 below 16, and in float64 below 1e9. */
-const snap = (x: number): number => Math.round(x * 2 ** 20) / 2 ** 20;
+const snap = (x: number) => Math.round(x * 2 ** 20) / 2 ** 20;

@@ -135,7 +135,7 @@ export function measureBatch(
       }
     }
     const scale = 255 / Math.max(1, intensity(stress));
-    const error = (channel: number): number => {
+    const error = (channel: number) => {
       const off = Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
       return Number.isNaN(off) ? Infinity : off; // a comparison with NaN would let it pass
     };

@@ -87,7 +87,7 @@ export function replayed(list: number[], seed: number): Random {
  */
 function sfc32(seed: number): () => number {
   let [a, b, c, counter] = [0, seed | 0, 0, 1];
-  const next = (): number => {
+  const next = () => {
     const t = (a + b + counter) | 0;
     counter = (counter + 1) | 0;
     a = b ^ (b >>> 9);

@@ -72,5 +72,5 @@ function exactEnough({ exact, channels, fragments }: Codes, share: number): bool
   return (channels - exact) / each <= expected + 4 * Math.sqrt(expected + 1);
 }
 
-const exactness = ({ exact, channels }: Pick<Measured, 'exact' | 'channels'>): string =>
+const exactness = ({ exact, channels }: Pick<Measured, 'exact' | 'channels'>) =>
   `${((100 * exact) / channels).toFixed(3)} % of codes exact`;

@@ -29,7 +29,7 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
   const { skinned = true, morphed = true, normals = true, times = [0, 1, 2] } = options;
   const views: Buffer[] = [];
   const accessors: object[] = [];
-  const add = (items: number, values: readonly number[], integer = false): number => {
+  const add = (items: number, values: readonly number[], integer = false) => {
     views.push(Buffer.from((integer ? new Uint16Array(values) : new Float32Array(values)).buffer));
     const type = items === 16 ? 'MAT4' : TYPES[items];
     const [componentType, count] = [integer ? USHORT : FLOAT, values.length / items];
@@ -42,11 +42,8 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     return { y, x: Math.cos(angle), z: Math.sin(angle) };
   });
   type Vertex = (typeof vertices)[number];
-  const perVertex = (
-    items: number,
-    of: (vertex: Vertex) => readonly number[],
-    integer = false,
-  ): number => add(items, vertices.flatMap(of), integer);
+  const perVertex = (items: number, of: (vertex: Vertex) => readonly number[], integer = false) =>
+    add(items, vertices.flatMap(of), integer);
   const indices = Array.from({ length: (RINGS - 1) * 4 }, (_, i) => {
     const a = Math.floor(i / 4) * 4 + (i % 4);
     const b = Math.floor(i / 4) * 4 + ((i + 1) % 4);

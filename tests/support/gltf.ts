@@ -45,7 +45,7 @@ export function patch(options: PatchOptions): string {
     return [at, at + CELLS + 1, at + 1, at + 1, at + CELLS + 1, at + CELLS + 2];
   }).flat();
   const gltf = new Gltf();
-  const list = (name: keyof (typeof vertices)[number], type: string): number => {
+  const list = (name: keyof (typeof vertices)[number], type: string) => {
     const values = Float32Array.from(vertices.flatMap((vertex) => vertex[name]));
     return gltf.accessor(values, { componentType: FLOAT, count: vertices.length, type });
   };
@@ -57,7 +57,7 @@ export function patch(options: PatchOptions): string {
     ...(tangents && { TANGENT: list('TANGENT', 'VEC4') }),
   };
   gltf.addPrimitive(attributes, Uint16Array.from(indices), { material: 0 }, matrix && { matrix });
-  const data = (type: string, bytes: Uint8Array): string =>
+  const data = (type: string, bytes: Uint8Array) =>
     `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
   Object.assign(gltf.json, {
     materials: [{ doubleSided: true, ...material }],

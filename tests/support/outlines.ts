@@ -80,7 +80,7 @@ type At = readonly [at: number, depth: number];
 
 function between(depth: (at: number) => number, first: At, second: At, least: number) {
   let [low, high] = [first, second];
-  const isJump = (): boolean => low[1] !== high[1] && Math.abs(low[1] - high[1]) >= least;
+  const isJump = () => low[1] !== high[1] && Math.abs(low[1] - high[1]) >= least;
   while (isJump() && high[0] - low[0] > EXACT) {
     const middle = (low[0] + high[0]) / 2;
     const here = depth(middle);

@@ -116,7 +116,7 @@ export class SharedPage {
   #after(target: object, name: string, undo: Method, final = false): void {
     const real = Reflect.get(target, name) as Method | undefined;
     if (real === undefined) return;
-    Reflect.set(target, name, (...given: never[]): unknown => {
+    Reflect.set(target, name, (...given: never[]) => {
       const result: unknown = Reflect.apply(real, target, given);
       this.#undo.push(async () => (undo(...([await result, ...given] as never[])) as Undo)());
       if (final) {

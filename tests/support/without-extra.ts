@@ -33,7 +33,7 @@ export function withDependents(extra: string): ReadonlySet<string> {
 export function tableWithout(gone: ReadonlySet<string>): string {
   const code = readFileSync(join(repository, TABLE), 'utf8');
   const file = ts.createSourceFile(TABLE, code, ts.ScriptTarget.Latest, true);
-  const isGone = (node: ts.Node): boolean =>
+  const isGone = (node: ts.Node) =>
     [...gone].some((name) => node.getText().includes(`'../extras/${name}/`));
   const cuts: ts.Node[] = [];
   /** Types of the tables of texts that go. */
@@ -61,7 +61,7 @@ export function tableWithout(gone: ReadonlySet<string>): string {
     const comma = left[node.end] === ',' ? 1 : 0;
     left = left.slice(0, node.getStart()) + left.slice(node.end + comma);
   }
-  const uses = (name: string): number => left.match(new RegExp(`\\b${name}\\b`, 'g'))?.length ?? 0;
+  const uses = (name: string) => left.match(new RegExp(`\\b${name}\\b`, 'g'))?.length ?? 0;
   return left.replace(/import \{([^}]*)\} from ('[^']*');\n/g, (_line, names: string, from) => {
     const used = names.split(',').filter((name) => uses(name.trim()) > 1);
     return used.length === 0 ? '' : `import {${used.join()}} from ${String(from)};\n`;
@@ -70,10 +70,8 @@ export function tableWithout(gone: ReadonlySet<string>): string {
 
 const parsed = new Map<string, ts.SourceFile | undefined>();
 
-const inFolders =
-  (gone: ReadonlySet<string>) =>
-  (path: string): boolean =>
-    [...gone].some((name) => path.includes(`src/extras/${name}/`));
+const inFolders = (gone: ReadonlySet<string>) => (path: string) =>
+  [...gone].some((name) => path.includes(`src/extras/${name}/`));
 
 /**
  * What in src/ without these extras imports a file that is not there. Such an import is the only way

@@ -9,7 +9,7 @@ export { lightWith as light } from '../stress/case.js';
 
 /** Doubles from `min` to `max`, the ends, 0, denormals and whole powers of ten among them. */
 export function numbers(min: number, max: number): fc.Arbitrary<number> {
-  const inside = (n: number): boolean => n >= min && n <= max;
+  const inside = (n: number) => n >= min && n <= max;
   const special = [
     0,
     5e-324,
@@ -71,7 +71,7 @@ export const anyLight: fc.Arbitrary<LightValues> = lightsFrom({
 });
 
 /** Lights as authors write them: a few decimals, well away from every limit. */
-const plain = (min: number, max: number): fc.Arbitrary<number> =>
+const plain = (min: number, max: number) =>
   fc.integer({ min: min * 100, max: max * 100 }).map((n) => n / 100);
 
 export const plainLight: fc.Arbitrary<LightValues> = lightsFrom({

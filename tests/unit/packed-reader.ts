@@ -55,7 +55,7 @@ export function read({ data, rows }: PackedLights) {
   return result;
 }
 
-const quarter = (v: Vec3): number => dot(v, v) / 4;
+const quarter = (v: Vec3) => dot(v, v) / 4;
 
 /** The loop of the GLSL over packed lights, in float64: p and eye in shading space, N unit. */
 export function loop(

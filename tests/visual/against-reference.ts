@@ -21,7 +21,7 @@ export const around = <T>(reach: number, tell: (dx: number, dy: number) => T): T
   [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => tell(dx, dy)));
 
 /** Distance of a code from the range of these codes; 0 within. */
-const outside = (code: number, codes: readonly number[]): number =>
+const outside = (code: number, codes: readonly number[]) =>
   Math.max(Math.min(...codes) - code, code - Math.max(...codes), 0);
 
 export interface Errors {
@@ -97,7 +97,7 @@ export function compareWithReference(
    * Where highlights of small exponents begin, codes change by several within that: a code is right
    * that is seen right beside.
    */
-  const beside = (x: number, y: number, channel: number): number[] =>
+  const beside = (x: number, y: number, channel: number) =>
     around(SNAPPED, (dx, dy) => {
       const hit = cast(x + dx, y + dy);
       return hit === null ? NaN : Math.round(colorOf(hit)[channel]! * 255);

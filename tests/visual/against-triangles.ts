@@ -60,7 +60,7 @@ export function compareWithTriangles(
   return errors;
 }
 
-const code = (color: Vec3, channel: number): number => Math.round(color[channel]! * 255);
+const code = (color: Vec3, channel: number) => Math.round(color[channel]! * 255);
 
 /**
  * A colour, 0–1, and the angle to the nearest cone's edge: the least of the vertices' under
@@ -77,7 +77,7 @@ const seenOf = remembered(
     const geometry = cornersOf(scene.meshes[0]!, shading);
     const cast = castSceneOf(scene, () => trianglesOf(geometry));
     const tracer = new Tracer(cast, width, height);
-    const triangleAt = (x: number, y: number): number => {
+    const triangleAt = (x: number, y: number) => {
       const { t, triangle } = tracer.hitAt(x + 0.5, y + 0.5);
       return t < Infinity ? triangle : -1;
     };
@@ -129,7 +129,7 @@ function perVertex(scene: DeclaredScene, tracer: Tracer, geometry: BufferGeometr
   const shadeCorner = (corner: number, front: boolean) => {
     const present = known.get(corner);
     if (present) return present;
-    const at = (name: string): Vector3 =>
+    const at = (name: string) =>
       new Vector3().fromBufferAttribute(geometry.getAttribute(name), corner);
     const p = at('position').applyMatrix4(matrix).toArray();
     const normal = scale(at('normal').applyNormalMatrix(normalMatrix).toArray(), front ? 1 : -1);

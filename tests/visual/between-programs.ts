@@ -26,8 +26,7 @@ export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
   let max = 0;
   let differing = 0;
   let channels = 0;
-  const drawn = ({ data }: Picture, i: number): number =>
-    Math.round((data[i]! * data[i | 3]!) / 255);
+  const drawn = ({ data }: Picture, i: number) => Math.round((data[i]! * data[i | 3]!) / 255);
   for (let i = 0; i < a.data.length; i++) {
     const shown = a.data[i | 3] !== 0 || b.data[i | 3] !== 0;
     if (i % 4 === 3 || !shown) continue;

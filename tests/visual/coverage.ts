@@ -32,7 +32,7 @@ interface PictureSize {
 /** Ka of each mesh; its colour in the picture. */
 const COLORS: readonly Vec3[] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0], [0, 255, 255], [255, 0, 255], [255, 255, 255]]; // oxfmt-ignore
 
-const meshMarkup = ({ geometry, position, rotation, scale }: CoverageMesh, i: number): string =>
+const meshMarkup = ({ geometry, position, rotation, scale }: CoverageMesh, i: number) =>
   `<phong-mesh geometry="${geometry}" ka="${COLORS[i]!.join(' ')}" kd="0" ks="0"` +
   Object.entries({ position, rotation, scale })
     .map(([name, value]) => (value === undefined ? '' : ` ${name}="${value.join(' ')}"`))
@@ -46,11 +46,7 @@ export const markupOf = ({ theta, phi, radius, target, fov, meshes }: CoverageSc
   `${meshes.map(meshMarkup).join('')}</phong-viewer>`;
 
 /** The codes r, g, b, a of each scene's picture, one viewer after the other on this page. */
-const drawAll = (
-  page: Page,
-  scenes: readonly CoverageScene[],
-  size: PictureSize,
-): Promise<Uint8ClampedArray[]> =>
+const drawAll = (page: Page, scenes: readonly CoverageScene[], size: PictureSize) =>
   page.evaluate(
     async ({ markups, size: { width, height } }) => {
       const place = document.createElement('section');

@@ -116,11 +116,11 @@ export function sceneMarkup(
   { pose, fov, meshes, lights, options }: DeclaredScene,
   shading = 'phong',
 ): string {
-  const list = (v: readonly number[]): string => v.join(' ');
-  const mesh = (m: CastMesh): string =>
+  const list = (v: readonly number[]) => v.join(' ');
+  const mesh = (m: CastMesh) =>
     `<phong-mesh geometry="${m.geometry}" ${m.segments === undefined ? '' : `segments="${m.segments}" `}position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +
     `ka="${list(m.ka)}" kd="${list(m.kd)}" ks="${list(m.ks)}" shininess="${String(m.shininess)}"></phong-mesh>`;
-  const light = (l: LightValues): string =>
+  const light = (l: LightValues) =>
     `<phong-light active="${String(l.active)}" ambient="${list(l.ambient)}" diffuse="${list(l.diffuse)}" ` +
     `specular="${list(l.specular)}" position="${list(l.position)}" axis="${list(l.axis)}" aperture="${String(l.aperture)}" ` +
     `cutoff="${String(l.cutoff)}" attenuation="${list(l.attenuation)}" space="${l.space}"></phong-light>`;

@@ -123,4 +123,4 @@ const SHAPES = {
   sphere: trianglesOf(await createGeometry('sphere', 256)),
 } as const;
 
-const idealShape = ({ geometry }: CastMesh): CastShape => SHAPES[geometry];
+const idealShape = ({ geometry }: CastMesh) => SHAPES[geometry];

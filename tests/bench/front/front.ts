@@ -75,8 +75,7 @@ function drawerOf(
   variant: Variant,
 ): Drawer {
   const program = fullScreenProgram(gl, fragmentOf(variant));
-  const at = (uniform: string): WebGLUniformLocation | null =>
-    gl.getUniformLocation(program, uniform);
+  const at = (uniform: string) => gl.getUniformLocation(program, uniform);
   const { ka, kd, ks } = SURFACE;
   gl.useProgram(program);
   gl.uniform3f(at('uEye'), ...eye);
@@ -113,7 +112,7 @@ function rowTexture(gl: WebGL2RenderingContext, rows: Float32Array): WebGLTextur
   return texture;
 }
 
-const fragmentOf = ({ glsl, rows }: Variant): string => `#version 300 es
+const fragmentOf = ({ glsl, rows }: Variant) => `#version 300 es
 precision highp float;
 precision highp int;
 uniform vec3 uEye, uKa, uKd, uKs, uWindow;

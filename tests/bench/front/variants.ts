@@ -57,7 +57,7 @@ export function variantsOf(
   };
 }
 
-const definesText = (values: Readonly<Record<string, string | number>>): string =>
+const definesText = (values: Readonly<Record<string, string | number>>) =>
   Object.entries(values)
     .map(([name, value]) => `#define ${name} ${value}\n`)
     .join('');
@@ -71,7 +71,7 @@ function plain(lights: readonly LightValues[], lobe: string, before = '', after 
     const length = Math.hypot(...v);
     return [v[0] / length, v[1] / length, v[2] / length];
   };
-  const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
+  const isSpot = ({ aperture, cutoff }: LightValues) => aperture < 180 || cutoff > 0;
   const directional = lights.filter(({ position }) => position[3] === 0);
   const points = lights.filter((light) => light.position[3] === 1 && !isSpot(light));
   const spots = lights.filter((light) => light.position[3] === 1 && isSpot(light));

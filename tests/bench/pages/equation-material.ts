@@ -87,7 +87,7 @@ export function equationMaterial(
     { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false },
     packed,
   );
-  const channels = (k: Vec3, base: Vec3): Vector3 =>
+  const channels = (k: Vec3, base: Vec3) =>
     new Vector3(...k.map((value, i) => (value / 255) * base[i]!));
   const { map, baseColor } = look;
   return new ShaderMaterial({

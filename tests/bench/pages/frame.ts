@@ -51,7 +51,7 @@ const SIDES: Readonly<Record<SideName, () => Promise<OpenSide>>> = {
 const query = new URLSearchParams(location.search);
 let next = 0;
 let draw: (i: number) => Promise<void> = () => Promise.reject(new Error('no scene is open'));
-const frame = (): Promise<void> => draw(next++);
+const frame = () => draw(next++);
 
 window.bench = {
   async open() {

@@ -11,7 +11,7 @@ const LIGHTS = `<phong-light position="1 2 3 0" ambient="30 30 40" diffuse="140 
   <phong-light position="-2 1 2 1" diffuse="120 80 60" specular="90 60 45" attenuation="1 0 0.05"></phong-light>
   <phong-light position="0.8 1.2 2.4 1" axis="-0.8 -1.2 -2.4" aperture="5" diffuse="50 80 110" specular="60 90 120"></phong-light>`;
 
-const viewer = (attributes: string, meshes = ''): string =>
+const viewer = (attributes: string, meshes = '') =>
   `<phong-viewer alt="" ${attributes}>${LIGHTS}${meshes}</phong-viewer>`;
 
 const one = (attributes: string, meshes = ''): PictureScene => ({

@@ -44,8 +44,7 @@ declare global {
   }
 }
 
-const openElement = async (mode: Mode): Promise<OpenPicture> =>
-  (await import('./picture-element.js')).openElement(mode);
+const openElement = async (mode: Mode) => (await import('./picture-element.js')).openElement(mode);
 const SIDES: Readonly<Record<string, () => Promise<OpenPicture>>> = {
   ...Object.fromEntries(
     FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })]),

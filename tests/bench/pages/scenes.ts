@@ -76,7 +76,7 @@ function halton(i: number, base: number): number {
   return result;
 }
 
-const between = (low: number, high: number, t: number): number => low + (high - low) * t;
+const between = (low: number, high: number, t: number) => low + (high - low) * t;
 
 /**
  * Lights on the eye's side of the origin, `distance` to twice that far from it: directional, point
@@ -92,7 +92,7 @@ export function mixedLights(count: number, distance = 2): SceneLight[] {
     const flat = Math.sqrt(1 - height * height);
     const [x, z] = [away * flat * Math.sin(azimuth), away * flat * Math.cos(azimuth)];
     const y = away * height;
-    const channel = (base: number): number => full * between(0.5, 1, halton(i, base));
+    const channel = (base: number) => full * between(0.5, 1, halton(i, base));
     const color: Vec3 = [channel(7), channel(11), channel(13)];
     const common = { ambient: [0, 0, 0], diffuse: color, specular: color } as const;
     const attenuation: Vec3 = [1, 0.05, 0.02];
@@ -109,7 +109,7 @@ export function mixedLights(count: number, distance = 2): SceneLight[] {
 function roomLights(count: number): SceneLight[] {
   return mixedLights(count, 0.9).map((light, i) => {
     if (light.position[3] === 0) return light;
-    const place = (base: number): number => between(-1.5, 1.5, halton(i, base));
+    const place = (base: number) => between(-1.5, 1.5, halton(i, base));
     const [x, y, z] = [place(2), place(3), place(5)];
     const cone = light.axis === undefined ? {} : { axis: [x, -1, z] as const, aperture: 60 };
     return { ...light, position: [x, y, z, 1], ...cone };
@@ -119,7 +119,7 @@ function roomLights(count: number): SceneLight[] {
 /** Equal shapes on a regular grid around the origin, 1 apart. */
 function grid([nx, ny, nz]: Vec3, shape: SceneMesh['shape'], scale: number): SceneMesh[] {
   return Array.from({ length: nx * ny * nz }, (_, i): SceneMesh => {
-    const at = (index: number, count: number): number => index - (count - 1) / 2;
+    const at = (index: number, count: number) => index - (count - 1) / 2;
     const [x, y] = [at(i % nx, nx), at(Math.floor(i / nx) % ny, ny)];
     return { shape, scale, position: [x, y, at(Math.floor(i / (nx * ny)), nz)] };
   });

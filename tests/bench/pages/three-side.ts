@@ -13,7 +13,6 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshPhongMaterial,
-  type Object3D,
   type PerspectiveCamera,
   PointLight,
   SphereGeometry,
@@ -66,7 +65,7 @@ function placed<T extends Light>(light: T, [x, y, z]: readonly [number, number, 
   return light;
 }
 
-const targetOf = (light: Light): Object3D[] => (light instanceof SpotLight ? [light.target] : []);
+const targetOf = (light: Light) => (light instanceof SpotLight ? [light.target] : []);
 
 function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): MeshPhongMaterial {
   const { kd, ks } = SURFACE;

@@ -14,7 +14,7 @@ interface TimerQuery {
   readonly GPU_DISJOINT_EXT: number;
 }
 
-const timerOf = (gl: WebGL2RenderingContext): TimerQuery | null =>
+const timerOf = (gl: WebGL2RenderingContext) =>
   gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerQuery | null;
 
 export const hasTimer = (gl: WebGL2RenderingContext): boolean => timerOf(gl) !== null;

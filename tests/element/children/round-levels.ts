@@ -57,7 +57,7 @@ export async function filmZoom(
   frames: number,
   size: { readonly width: number; readonly height: number },
 ) {
-  const viewer = (segments: string): string =>
+  const viewer = (segments: string) =>
     `<phong-viewer geometry="${geometry}" target="0 0 0" radius="30" segments="${segments}"></phong-viewer>`;
   await mount(viewer('auto') + viewer('256'), { ...size, css: 'phong-viewer { float: left }' });
   return page.evaluate(async (count) => {
@@ -77,7 +77,7 @@ export async function filmZoom(
         );
       };
     });
-    const covered = (data: Float32Array): number =>
+    const covered = (data: Float32Array) =>
       data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) /
       (255 * (data.length / 4));
     const film = [];

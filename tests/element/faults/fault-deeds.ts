@@ -29,7 +29,7 @@ export function installFaultDeeds(): void {
   let visibility: DocumentVisibilityState = 'visible';
   Object.defineProperty(document, 'visibilityState', { configurable: true, get: () => visibility });
 
-  const viewers = (): PhongViewer[] => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
+  const viewers = () => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
   const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
   /** Promises may reject here, but they must settle. */
   const keep = (promise: Promise<unknown>, what: string): void => {
@@ -49,8 +49,7 @@ export function installFaultDeeds(): void {
     viewer.style.width = size === '' ? '' : `${width}px`;
     viewer.style.height = size === '' ? '' : `${height}px`;
   };
-  const numbers = (value: string): [number, number] =>
-    value.split(' ').map(Number) as [number, number];
+  const numbers = (value: string) => value.split(' ').map(Number) as [number, number];
 
   const anywhere: Readonly<Record<string, (value: string) => void>> = {
     lose: () => faults.lose(),

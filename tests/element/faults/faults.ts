@@ -45,7 +45,7 @@ function wrapContexts(): void {
   /** Lost contexts that may be restored, because the page prevented the event's default. */
   const restorable = new Set<WEBGL_lose_context>();
   const programs = new Map<WeakRef<object>, WeakRef<WebGL2RenderingContext>>();
-  const isOpen = (weak: WeakRef<WebGL2RenderingContext> | undefined): boolean => {
+  const isOpen = (weak: WeakRef<WebGL2RenderingContext> | undefined) => {
     const context = weak?.deref();
     return context !== undefined && !isLost.call(context);
   };

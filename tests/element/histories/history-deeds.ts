@@ -38,12 +38,12 @@ declare global {
 export function installDeeds(): void {
   const watch = window.walkWatch;
   const { viewers, frame } = watch;
-  const round = <T>(list: readonly T[], i: number): T | undefined => list[i % list.length];
+  const round = <T>(list: readonly T[], i: number) => list[i % list.length];
 
   // The page's own objects: balls of one colour.
   let three: typeof Three | null = null;
   const owned = new WeakMap<object, Map<string, Three.Mesh>>();
-  const ownOf = (viewer: PhongViewer): Map<string, Three.Mesh> => {
+  const ownOf = (viewer: PhongViewer) => {
     const present = owned.get(viewer) ?? new Map<string, Three.Mesh>();
     owned.set(viewer, present);
     return present;
@@ -71,17 +71,17 @@ export function installDeeds(): void {
   const place = (i: number): Element => round([...document.querySelectorAll('section')], i)!;
   /** The last child used, by tag. */
   const latest = new Map<string, Element>();
-  const touched = (element: Element | null | undefined): Element | undefined => {
+  const touched = (element: Element | null | undefined) => {
     if (element) {
       latest.set(element.localName, element);
     }
     return element ?? undefined;
   };
-  const childOf = (viewer: PhongViewer, { tag, child }: Step): Element | undefined =>
+  const childOf = (viewer: PhongViewer, { tag, child }: Step) =>
     touched(child < 0 ? latest.get(tag) : round([...viewer.querySelectorAll(tag)], child));
-  const targetOf = (viewer: PhongViewer, step: Step): Element | undefined =>
+  const targetOf = (viewer: PhongViewer, step: Step) =>
     step.tag === 'phong-viewer' ? viewer : childOf(viewer, step);
-  const other = (step: Step): PhongViewer => round(viewers(), step.viewer + Number(step.value))!;
+  const other = (step: Step) => round(viewers(), step.viewer + Number(step.value))!;
   async function frames(count: number, each: () => void): Promise<void> {
     for (let i = 0; i < count; i++) {
       each();
@@ -97,7 +97,7 @@ export function installDeeds(): void {
     }
   }
   /** The coordinate, limited to its domain, in digits that `toHTML()` keeps. */
-  const inside = (x: number): number => Number(Math.min(Math.max(x, -1e15), 1e15).toPrecision(8));
+  const inside = (x: number) => Number(Math.min(Math.max(x, -1e15), 1e15).toPrecision(8));
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {
     ...window.walkTrees.deeds,

@@ -62,12 +62,12 @@ function installWalk(): void {
   const allReady = (): Promise<unknown> => Promise.all(viewers().map((viewer) => viewer.ready));
   /** Observers report after a frame, and may cause another one. */
   const FEW = 4;
-  const fewFrames = async (count = FEW): Promise<void> => {
+  const fewFrames = async (count = FEW) => {
     for (let i = 0; i < count; i++) {
       await frame();
     }
   };
-  const loaded = (): number => performance.getEntriesByType('resource').length;
+  const loaded = () => performance.getEntriesByType('resource').length;
   async function rests(): Promise<string> {
     await Promise.all(deeds.pending.splice(0));
     for (let round = 0; round < 5; round++) {
@@ -93,16 +93,16 @@ function installWalk(): void {
     return failed ? `${outcome} a notice of failure` : outcome;
   }
 
-  const numbers = ({ camera }: PhongViewer): number[] => {
+  const numbers = ({ camera }: PhongViewer) => {
     const { eye, target, up, theta, phi, radius } = camera;
     return [...eye, ...target, ...up, theta, phi, radius];
   };
   const pixelsOf = (viewer: PhongViewer): [number, number] => {
     const { clientWidth, clientHeight } = viewer;
-    const whole = (side: number): number => Math.round(side * devicePixelRatio);
+    const whole = (side: number) => Math.round(side * devicePixelRatio);
     return [whole(clientWidth), whole(clientHeight)];
   };
-  const declared = (viewer: PhongViewer, html: string): string => {
+  const declared = (viewer: PhongViewer, html: string) => {
     const { radius, target } = viewer as unknown as Record<
       string,
       string | number | readonly number[]

@@ -136,7 +136,7 @@ const VALUES = { 'phong-light': LIGHT, 'phong-mesh': MESH, 'phong-viewer': VIEWE
 
 type Tag = Step['tag'];
 
-const property = (attribute: string): string =>
+const property = (attribute: string) =>
   attribute.replace(/-([a-z])/g, (_, letter: string) => letter.toUpperCase());
 
 function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): string {
@@ -149,8 +149,8 @@ function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): 
   return `<${tag}${attributes.join('')}></${tag}>`;
 }
 
-const light = (dice: Dice): string => element(dice, 'phong-light', 0.5);
-const lights = (dice: Dice, count: number, each: Values = light): string =>
+const light = (dice: Dice) => element(dice, 'phong-light', 0.5);
+const lights = (dice: Dice, count: number, each: Values = light) =>
   Array.from({ length: count }, () => each(dice)).join('');
 
 /** Small spots above a floor, for light grids. */
@@ -318,7 +318,7 @@ function step(dice: Dice, mix: Mix): Step {
 /** Chosen by the seed, unless a test names one. */
 const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page', 'motion'];
 
-const several = (dice: Dice, mix: Mix, counts: readonly number[]): Step[] =>
+const several = (dice: Dice, mix: Mix, counts: readonly number[]) =>
   Array.from({ length: dice.pick(counts) }, () => step(dice, mix));
 
 function anything(dice: Dice, mix: Mix): Task[] {
@@ -349,7 +349,7 @@ function afterMotion(dice: Dice, mix: Mix): Task[] {
   ];
 }
 
-const converging = (markup: string): string =>
+const converging = (markup: string) =>
   markup.replace('<phong-viewer', '<phong-viewer antialias="full" samples="64"');
 
 /** A history of one to three viewers with this many looks. */

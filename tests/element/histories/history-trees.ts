@@ -24,11 +24,11 @@ declare global {
 export function installTrees(): void {
   type Parent = Element | ShadowRoot;
   const { viewers } = window.walkWatch;
-  const round = <T>(list: readonly T[], i: number): T | undefined => list[i % list.length];
+  const round = <T>(list: readonly T[], i: number) => list[i % list.length];
   /** Closed ones too. */
   const shadows = new WeakMap<Element, ShadowRoot>();
   const MOST_ELEMENTS = 100;
-  const isFull = (): boolean => document.querySelectorAll('section *').length > MOST_ELEMENTS;
+  const isFull = () => document.querySelectorAll('section *').length > MOST_ELEMENTS;
 
   /** Everything under a node in document order, a shadow tree before what its host contains. */
   function* under(parent: Parent): Generator<Element> {
@@ -45,7 +45,7 @@ export function installTrees(): void {
     viewer,
     ...[...under(viewer)].flatMap((element) => [shadows.get(element) ?? [], element].flat()),
   ];
-  const wrappersIn = (viewer: PhongViewer): Element[] =>
+  const wrappersIn = (viewer: PhongViewer) =>
     [...under(viewer)].filter(({ localName }) => !localName.startsWith('phong-'));
   const contains = (outer: Node, inner: Node | null): boolean =>
     inner !== null &&

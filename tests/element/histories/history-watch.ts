@@ -44,7 +44,7 @@ export function installWatch(): void {
   type DrawnBy = Pick<Drawn, 'programs' | 'place'>;
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   const nextFrame = window.requestAnimationFrame.bind(window);
-  const viewers = (): PhongViewer[] => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
+  const viewers = () => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
 
   // Which programs draw, and whether anything happens.
   const gl = WebGL2RenderingContext.prototype;
@@ -65,7 +65,7 @@ export function installWatch(): void {
     });
   };
   /** A hash of the text, by which programs are compared. */
-  const numbered = (text: string): string => {
+  const numbered = (text: string) => {
     let sum = 0;
     for (let i = 0; i < text.length; i++) {
       sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
@@ -73,7 +73,7 @@ export function installWatch(): void {
     return `${/#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text) ? 'specialised' : 'general'}${sum >>> 0}`;
   };
   const names = new WeakMap<object, string>();
-  const nameOf = (program: object): string => {
+  const nameOf = (program: object) => {
     const name = names.get(program) ?? numbered(texts.get(program) ?? '');
     names.set(program, name);
     return name;
@@ -143,8 +143,7 @@ export function installWatch(): void {
   const seenBy = new WeakMap<object, DrawnBy>();
   /** Camera moved by the user. */
   const handled = new WeakSet();
-  const canvasOf = (viewer: PhongViewer): HTMLCanvasElement | null =>
-    viewer.shadowRoot?.querySelector('canvas') ?? null;
+  const canvasOf = (viewer: PhongViewer) => viewer.shadowRoot?.querySelector('canvas') ?? null;
   function copied(source: CanvasImageSource, width: number, height: number): OffscreenCanvas {
     const canvas = new OffscreenCanvas(width, height);
     // Read once and dropped, hundreds of them in a release run: the browser would advise so.

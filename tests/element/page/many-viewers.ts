@@ -201,7 +201,7 @@ export async function stillAlive(page: Page): Promise<string[]> {
 
 const first = `document.querySelector('phong-viewer')`;
 const drawn = `${first}.scene.getObjectByProperty('isMesh', true)`;
-const above = (object: string): string => `Object.getPrototypeOf(Object.getPrototypeOf(${object}))`;
+const above = (object: string) => `Object.getPrototypeOf(Object.getPrototypeOf(${object}))`;
 
 /** Expressions for the prototypes that all objects of a class have. */
 const PROTOTYPES = {

@@ -119,7 +119,7 @@ function wrapEverything(): void {
   }
   wrap(CanvasRenderingContext2D.prototype, 'drawImage', () => count('copies'));
 
-  const isOurs = (): boolean => new Error().stack?.includes('/dist/') === true;
+  const isOurs = () => new Error().stack?.includes('/dist/') === true;
   const countLayout = (): void => {
     if (isOurs()) {
       count('layouts');
@@ -153,7 +153,7 @@ function wrapEverything(): void {
 
   for (const Observer of [IntersectionObserver, ResizeObserver]) {
     const watched = new WeakMap<object, Set<unknown>>();
-    const of = (self: unknown): Set<unknown> => {
+    const of = (self: unknown) => {
       const present = watched.get(self as object) ?? new Set();
       watched.set(self as object, present);
       return present;
@@ -177,12 +177,12 @@ function wrapEverything(): void {
   const heard = new WeakMap<object, Set<string>>();
   const identities = new WeakMap<object, number>();
   let identified = 0;
-  const identityOf = (listener: object): number => {
+  const identityOf = (listener: object) => {
     const present = identities.get(listener) ?? (identified += 1);
     identities.set(listener, present);
     return present;
   };
-  const isGlobal = (target: unknown): boolean =>
+  const isGlobal = (target: unknown) =>
     target === window || target === document || target instanceof MediaQueryList;
   const listen = (target: object, type: unknown, listener: unknown, on: boolean): void => {
     const present = heard.get(target) ?? new Set();
@@ -228,7 +228,7 @@ function wrapEverything(): void {
     'vertexArrays',
     'observers',
   ];
-  const takeCounts = (): Counts => {
+  const takeCounts = () => {
     let canvasPixels = 0;
     let sheetPixels = 0;
     for (const weak of canvases) {

@@ -38,7 +38,7 @@ export async function film(
     const copy = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
     let first: Uint8ClampedArray | null = null;
     let running = true;
-    const outline = (data: Uint8ClampedArray, width: number, pixel: number): boolean => {
+    const outline = (data: Uint8ClampedArray, width: number, pixel: number) => {
       const beside = [0, -1, 1, -width, width].map((by) => 4 * (pixel + by));
       return [0, 1, 2, 3].some((channel) => {
         const codes = beside.map((at) => data[at + channel] ?? 0);

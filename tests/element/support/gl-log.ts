@@ -169,7 +169,7 @@ function wrapGl(limits: Limits): void {
   const { linkProgram } = gl;
   gl.linkProgram = function (program) {
     linkProgram.call(this, program);
-    const of = (kind: number): string =>
+    const of = (kind: number) =>
       (stages.get(program) ?? [])
         .filter((shader) => this.getShaderParameter(shader, gl.SHADER_TYPE) === kind)
         .map((shader) => texts.get(shader) ?? '')
@@ -208,7 +208,7 @@ function wrapGl(limits: Limits): void {
 
   function sizes(program: WebGLProgram, self: WebGL2RenderingContext) {
     const before = spent.calls;
-    const count = (what: number): number => Number(self.getProgramParameter(program, what));
+    const count = (what: number) => Number(self.getProgramParameter(program, what));
     let uniformVectors = 0;
     for (let i = 0; i < count(gl.ACTIVE_UNIFORMS); i++) {
       const [block] = self.getActiveUniforms(program, [i], gl.UNIFORM_BLOCK_INDEX) as number[];

@@ -90,11 +90,11 @@ function replaced(source: string, from: string, to: string): string {
 }
 
 /** The first writing with one piece or more replaced. */
-const changed = (...pairs: readonly (readonly [from: string, to: string])[]): string =>
+const changed = (...pairs: readonly (readonly [from: string, to: string])[]) =>
   pairs.reduce((source, [from, to]) => replaced(source, from, to), RIGHT);
 
-const inShort = (from: string, to: string): string => replaced(SHORT, from, to);
-const inLong = (from: string, to: string): string => replaced(LONG, from, to);
+const inShort = (from: string, to: string) => replaced(SHORT, from, to);
+const inLong = (from: string, to: string) => replaced(LONG, from, to);
 
 const DIFFUSE = 'max(NoL, 0.0)';
 const LOBE = 'pow(max(dot(R, V), 0.0), m.shininess)';

@@ -2,7 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 
-const quoted = (text: string): string => JSON.stringify(text);
+const quoted = (text: string) => JSON.stringify(text);
 
 /** The whole panel. */
 export const panelOf = (viewer: Locator): Locator => viewer.locator('.lil-root');
@@ -29,10 +29,8 @@ export const row = (folder: Locator, name: string): Locator =>
   folder.locator(`.lil-controller:has(.lil-name:text-is(${quoted(name)}))`);
 
 type Role = 'textbox' | 'slider' | 'checkbox' | 'combobox' | 'button';
-const named =
-  (role: Role) =>
-  (folder: Locator, name: string): Locator =>
-    folder.getByRole(role, { name, exact: true });
+const named = (role: Role) => (folder: Locator, name: string) =>
+  folder.getByRole(role, { name, exact: true });
 
 export const field = named('textbox');
 export const slider = named('slider');

@@ -22,7 +22,7 @@ function folderOf(files: Readonly<Record<string, string | Uint8Array>>) {
   }
   return {
     path,
-    text: (name: string): string => readFileSync(path(name), 'utf8'),
+    text: (name: string) => readFileSync(path(name), 'utf8'),
     run(...args: string[]) {
       const run = spawnSync(process.execPath, [command, ...args], {
         cwd: folder,

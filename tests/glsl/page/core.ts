@@ -154,7 +154,7 @@ class View {
 
   async loseContext(): Promise<void> {
     const extension = this.#renderer.getContext().getExtension('WEBGL_lose_context');
-    const next = (name: string): Promise<unknown> =>
+    const next = (name: string) =>
       new Promise((resolve) => this.canvas.addEventListener(name, resolve, { once: true }));
     const lost = next('webglcontextlost');
     extension?.loseContext();

@@ -1,6 +1,6 @@
 // Do meshes claim the triangles of what they show and free what they no longer show? What happens
 // without memory, and with thousands of materials? In which order are a scene's objects drawn?
-import { type BufferGeometry, Mesh, Scene } from 'three';
+import { Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import type { MeshValues } from '../../../src/phong/model/mesh-fields.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
@@ -53,7 +53,7 @@ function setUp(limit: number) {
     const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });
     return {
       ...made,
-      geometry: (): BufferGeometry | undefined => made.mesh.shown.parts[0]?.mesh.geometry,
+      geometry: () => made.mesh.shown.parts[0]?.mesh.geometry,
     };
   };
   return { budget, failed, add };
