@@ -125,7 +125,7 @@ function sampleOf({ cases, colors, wrong }: Judged): Work<Judged> {
 
 /** The scene in which it shows at most points. */
 function sceneOf({ wrong }: Judged, points: readonly SheetPoint[]): SceneName {
-  const count = (name: SceneName): number => wrong.filter((i) => points[i]!.scene === name).length;
+  const count = (name: SceneName) => wrong.filter((i) => points[i]!.scene === name).length;
   return [...SCENE_NAMES].sort((a, b) => count(b) - count(a))[0]!;
 }
 

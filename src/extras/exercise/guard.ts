@@ -174,7 +174,7 @@ function counterFor(
   tokens: readonly Token[],
   definitions: ReadonlyMap<string, readonly Definition[]>,
 ): (part: readonly Token[]) => number {
-  const has = (word: RegExp): boolean => tokens.some(({ text }) => word.test(text));
+  const has = (word: RegExp) => tokens.some(({ text }) => word.test(text));
   const weight = has(/^mat\d/) ? MATRIX : has(/^for$/) ? REPEATED : 1;
   let code = 0;
   const read = (part: readonly Token[], inside: readonly Definition[]): void => {

@@ -9,7 +9,7 @@ export type Images = Readonly<Record<'own' | 'exact' | 'difference', ImageData>>
 
 export function* imagesOf(picture: PicturePoints, colors: Colors): Work<Images> {
   const { width, height, cases, pixels, emissive, linear } = picture;
-  const empty = (): ImageData => new ImageData(width, height);
+  const empty = () => new ImageData(width, height);
   const images = { own: empty(), exact: empty(), difference: empty() };
   const shown = (sum: number): number => {
     const x = clamp(sum, 0, 1);

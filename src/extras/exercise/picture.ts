@@ -117,7 +117,7 @@ function lampOf(
   linear: boolean,
 ): Lamp {
   const isCamera = light.space === 'camera';
-  const color = (own: Vec3): Vec3 => map(own, (k) => (linear ? srgbDecode(k / 255) : k / 255));
+  const color = (own: Vec3) => map(own, (k) => (linear ? srgbDecode(k / 255) : k / 255));
   const turned = ([x, y, z]: Vec3): Vec3 =>
     isCamera ? add(add(scale(right, x), scale(up, y)), scale(back, z)) : [x, y, z];
   const [x, y, z, w] = light.position;
@@ -144,7 +144,7 @@ export function underScene(
   const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
   const [right, up, back] = picture.axes;
   const turned = (v: Vec3): Vec3 => [dot(right, v), dot(up, v), dot(back, v)];
-  const placed = (p: Vec3): Vec3 => map(turned(subtract(p, center)), (x) => Math.fround(x / size));
+  const placed = (p: Vec3) => map(turned(subtract(p, center)), (x) => Math.fround(x / size));
   const light = only(terms, {
     ...scene,
     ambient: [0.25, 0.25, 0.25],

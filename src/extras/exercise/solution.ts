@@ -22,7 +22,7 @@ export const STARTING_GLSL = `vec3 shade(Light light, Material m, vec3 p, vec3 n
 
 /** The exact function of an exercise, without what it does not ask for. */
 export function solutionFor({ terms, kinds, reflection }: Task): string {
-  const has = (term: Task['terms'][number]): boolean => terms.includes(term);
+  const has = (term: Task['terms'][number]) => terms.includes(term);
   const isPlace = kinds.some((kind) => kind !== 'directional');
   const isSpot = kinds.includes('spot');
   const isSurface = has('diffuse') || has('specular');

@@ -43,7 +43,7 @@ export function sentencesFor(
       ),
     ];
   }
-  const list = (texts: readonly ViewerText[]): string => texts.map((text) => say(text)).join(', ');
+  const list = (texts: readonly ViewerText[]) => texts.map((text) => say(text)).join(', ');
   const sentences = [
     scene === null
       ? say('Not right yet: {right} of {count} pixels are within one 8-bit step.', count)

@@ -39,7 +39,7 @@ export function formatOf(
     CONTENT[key](bytes),
   );
   if (byContent !== undefined) return FORMAT_NAMES[byContent];
-  const byType = (written: string): FormatNames | undefined =>
+  const byType = (written: string) =>
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
   const foreign = FOREIGN.find(({ start }) => start.test(latin1(bytes, 64)));
   if (foreign !== undefined) {
@@ -83,8 +83,7 @@ function isObj(bytes: Uint8Array): boolean {
     start.pop(); // cut in the middle
   }
   const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
-  const isKeyword = (word: string): boolean =>
-    /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|#.*|)$/.test(word);
+  const isKeyword = (word: string) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|#.*|)$/.test(word);
   return words.every(isKeyword) && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 

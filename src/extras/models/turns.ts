@@ -6,7 +6,7 @@ type InTurn = <Result>(weight: number, work: () => Promise<Result>) => Promise<R
 export function turnsOf(limit: number): InTurn {
   let running = 0;
   const waiting: { readonly weight: number; readonly start: () => void }[] = [];
-  const fits = (weight: number): boolean => running + weight <= limit;
+  const fits = (weight: number) => running + weight <= limit;
   return async (weight, work) => {
     if (waiting.length > 0 || !fits(weight)) {
       await new Promise<void>((resolve) => waiting.push({ weight, start: resolve }));

@@ -118,8 +118,7 @@ export function rowOf(
     const row: Row<number, Editable> = number(name, SCALES[key] ?? linear(0, 1));
     const source = (element: Editable): Source => {
       const value = declared(element, key);
-      const auto = (): number =>
-        sceneMeshes.get(element as PhongViewer)?.segments ?? devicePixelRatio;
+      const auto = () => sceneMeshes.get(element as PhongViewer)?.segments ?? devicePixelRatio;
       return { ...value, get: () => (typeof value.get() === 'number' ? value.get() : auto()) };
     };
     return { ...row, source };

@@ -175,7 +175,7 @@ function aim([x, y, z]: Vec4, target: Vec3): Vec3 {
   const offset = [target[0] - x, target[1] - y, target[2] - z] as const;
   const longest = Math.max(...offset.map(Math.abs));
   if (longest === 0) return [0, -1, 0];
-  const short = (n: number): number => Number((n / longest).toFixed(3)) + 0;
+  const short = (n: number) => Number((n / longest).toFixed(3)) + 0;
   return [short(offset[0]), short(offset[1]), short(offset[2])];
 }
 
@@ -193,7 +193,7 @@ const GREY: Vec3 = [140, 140, 140];
 export function newLight(count: number, center: Vec3, reach: number): Partial<LightValues> {
   const angle = GOLDEN_ANGLE * (count + 1);
   const distance = reach / 2;
-  const near = (offset: number, middle: number): number =>
+  const near = (offset: number, middle: number) =>
     Number((middle + distance * offset).toPrecision(3));
   return {
     position: [

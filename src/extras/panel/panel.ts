@@ -110,7 +110,7 @@ function addFolders(
   open: readonly GuiFolder[],
 ): Content {
   const stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
-  const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> =>
+  const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material') =>
     new Folder(
       gui,
       title,
@@ -228,7 +228,7 @@ function addFullScreen(title: HTMLElement, viewer: PhongViewer): () => void {
   const button = document.createElement('button');
   button.type = 'button';
   button.className = 'full-screen';
-  const isOn = (): boolean => viewer.matches(':fullscreen');
+  const isOn = () => viewer.matches(':fullscreen');
   const update = (): void => explain(button, isOn() ? 'Leave full screen' : 'Full screen');
   button.addEventListener('click', () => {
     // The browser may refuse. Then the page stays as it is.

@@ -64,7 +64,7 @@ export function linear(
  */
 export function logarithmic(knee: number, max: number): SliderScale {
   const span = Math.log1p(max / knee);
-  const digits = (value: number): number => Number(value.toPrecision(3));
+  const digits = (value: number) => Number(value.toPrecision(3));
   return {
     start: 0,
     end: 1,
@@ -80,7 +80,7 @@ export function logarithmic(knee: number, max: number): SliderScale {
       const scale = logarithmic(knee, most ?? max);
       const start = scale.place(least ?? 0);
       if (!(start < 1)) return this;
-      const even = (value: number): number =>
+      const even = (value: number) =>
         tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
       const stepped =
         by === null

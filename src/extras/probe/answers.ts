@@ -273,10 +273,10 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   }
   const { value, unit } = number;
   const { expected } = question;
-  const isNear = (x: number): boolean =>
+  const isNear = (x: number) =>
     Math.abs(value - x) <= (0.5 * unit + SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
   /** Digits that would fit many numbers. */
-  const isCoarse = (x: number, by = 0.5): boolean =>
+  const isCoarse = (x: number, by = 0.5) =>
     Math.abs(value - x) > UNSEEN && by * unit > 0.1 * Math.abs(x) + 0.001;
   // A bare 0 or 1 is an answer, not a rounded one.
   if (isNear(expected) && !([0, 1].includes(value) && isCoarse(expected))) {
@@ -309,8 +309,7 @@ function diagnosis(
   isNear: (x: number) => boolean,
   { expected, wrongs }: Question,
 ): Wrong | null {
-  const isApart = (a: number, b: number): boolean =>
-    Math.abs(a - b) > unit + 2 * SLACK * Math.abs(a);
+  const isApart = (a: number, b: number) => Math.abs(a - b) > unit + 2 * SLACK * Math.abs(a);
   // A left out factor is likelier than the rest. What could be meant too leaves the answer untold.
   for (const among of [wrongs.filter(({ mistake }) => isLeftOut(mistake)), wrongs]) {
     const first = among.find(({ value }) => isNear(value));

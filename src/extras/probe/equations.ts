@@ -275,7 +275,7 @@ function fitted(
 ): Pick<Equation, 'result' | 'sign'> & { readonly digits: number } {
   const places = resultDigits(value);
   const results = textsOf(value, places);
-  const isTrue = (digits: number): boolean =>
+  const isTrue = (digits: number) =>
     value.every((_, channel) => {
       const result = Number(results[channel] ?? results[0]);
       const size = Math.floor(Math.log10(Math.max(Math.abs(result), 1)));
@@ -389,7 +389,7 @@ export function givenOf(
   const values: number[] = [];
   const given = factors.map((factor) => {
     const value = valueOf(factor, channel);
-    const isClose = (x: number): boolean => Math.abs(x - value) <= EXACT * Math.abs(value);
+    const isClose = (x: number) => Math.abs(x - value) <= EXACT * Math.abs(value);
     if (factor.given === true) {
       const digits = decimals(2, (n) => isClose(rounded(value, n)));
       values.push(Number(plain(value, digits)));
@@ -418,7 +418,7 @@ export function withCoefficients(
 ): FragmentExplanation {
   const { ka, kd, ks } = fragment;
   const next = { ka: change(ka), kd: change(kd), ks: change(ks) };
-  const again = (term: Vec3, k: Vec3, now: Vec3): Vec3 =>
+  const again = (term: Vec3, k: Vec3, now: Vec3) =>
     multiply(term, [0, 1, 2].map((i) => (k[i] === 0 ? 0 : now[i]! / k[i]!)) as unknown as Vec3);
   const shares = fragment.shares.map(
     (share) =>

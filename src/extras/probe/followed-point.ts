@@ -253,7 +253,7 @@ export class FollowedPoint {
     const before = this.#seeded;
     const again = before?.key === key ? await viewer.explain([...before.point]) : null;
     if (again !== null) return again;
-    const isSeen = (point: Vec3): boolean => this.#placeOf(point) !== null;
+    const isSeen = (point: Vec3) => this.#placeOf(point) !== null;
     const fragment = await seededFragment(viewer, seed, askedOf(ask), isSeen);
     this.#seeded = fragment && { key, point: fragment.p };
     return fragment;

@@ -216,7 +216,7 @@ function sparseRuns(value: unknown, elements: Run, what: string): readonly Run[]
     throw new Error(`${what}.sparse is incomplete`);
   }
   const count = countAt(sparse['count'], `${what}.sparse.count`);
-  const offsetOf = (run: JsonObject): number => countAt(run['byteOffset'], `${what}.sparse`, 0);
+  const offsetOf = (run: JsonObject) => countAt(run['byteOffset'], `${what}.sparse`, 0);
   return [
     { view: indices['bufferView'], offset: offsetOf(indices), count, item: unit, unit },
     { ...elements, view: values['bufferView'], offset: offsetOf(values), count },

@@ -17,7 +17,7 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
   const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
   let copied = 0;
 
-  const bytesOf = async (uri: string): Promise<Uint8Array<ArrayBuffer>> =>
+  const bytesOf = async (uri: string) =>
     isDataUri(uri) ? (await data(uri)).bytes : source.linked(uri);
 
   const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {

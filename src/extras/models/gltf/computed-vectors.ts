@@ -18,7 +18,7 @@ export async function findNormals(
   slices: Slices,
 ): Promise<{ readonly some: boolean; readonly all: boolean }> {
   let [some, all] = [false, true];
-  const vertexOf = (corner: number): number => (corners === null ? corner : corners[corner]!);
+  const vertexOf = (corner: number) => (corners === null ? corner : corners[corner]!);
   const [face, normal] = [new Float32Array(9), new Float32Array(9)];
   await slices.over(total, (from, to) => {
     for (let i = from; i < to; i += 1) {
@@ -102,8 +102,7 @@ export async function addTangents(
   });
   const values = new Float32Array(4 * count);
   /** Along the transformed u or v: the inverse of the transform, whose size does not matter. */
-  const sum = (at: number, u: number, v: number): number =>
-    side * (u * alongU[at]! + v * alongV[at]!);
+  const sum = (at: number, u: number, v: number) => side * (u * alongU[at]! + v * alongV[at]!);
   await slices.over(count, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const [x0, y0, z0] = [3 * i, 3 * i + 1, 3 * i + 2];

@@ -82,7 +82,7 @@ export class Deformation {
       geometry.setAttribute(name, attribute);
       return { name, stride: STRIDES[name], rest: shared.array as Float32Array, attribute };
     });
-    const own = (wanted: MovingName): Float32Array | null =>
+    const own = (wanted: MovingName) =>
       (this.#moving.find(({ name }) => name === wanted)?.attribute.array as
         | Float32Array
         | undefined) ?? null;
@@ -201,7 +201,7 @@ export class Deformation {
    * outside.
    */
   #turnFaces(index: Uint16Array | Uint32Array, from: number, to: number): void {
-    const cornerAt = (i: number): number => this.#order?.[i] ?? i;
+    const cornerAt = (i: number) => this.#order?.[i] ?? i;
     for (let i = from; i < to; i += 3) {
       const [a, b, c] = [cornerAt(i), cornerAt(i + 1), cornerAt(i + 2)];
       const mirrored = this.#isMirrored(a, b, c);

@@ -97,7 +97,7 @@ function meshSize(bytes: Uint8Array): { readonly faces: number; readonly points:
     skipMetadata(reader);
   }
   const fixed = version < (edgebreaker ? 0x200 : 0x202);
-  const number = (): number => (fixed ? reader.uint(4) : reader.varint());
+  const number = () => (fixed ? reader.uint(4) : reader.varint());
   if (!edgebreaker) return { faces: number(), points: number() };
   reader.skip(1); // traversal
   if (version < 0x202) {

@@ -69,8 +69,7 @@ export async function placeInstances(
   numbers: (accessor: Accessor) => Promise<Attribute>,
   slices: Slices,
 ): Promise<readonly Instance[]> {
-  const read = (name: keyof typeof LISTS): Promise<Attribute> | null =>
-    lists[name] ? numbers(lists[name]) : null;
+  const read = (name: keyof typeof LISTS) => (lists[name] ? numbers(lists[name]) : null);
   const [translations, rotations, scales] = [
     await read('TRANSLATION'),
     await read('ROTATION'),

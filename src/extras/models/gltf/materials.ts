@@ -46,7 +46,7 @@ export function readTextures(
   return slices.map(objectsAt(json['textures'], 'textures'), (texture, i) => {
     const what = `textures[${String(i)}]`;
     const extensions = optionalObject(texture['extensions'], `${what}.extensions`);
-    const sourceOf = (name: string): unknown => optionalObject(extensions[name], what)['source'];
+    const sourceOf = (name: string) => optionalObject(extensions[name], what)['source'];
     const source = WEBP in extensions ? sourceOf(WEBP) : (texture['source'] ?? sourceOf(KTX2));
     const sampler = texture['sampler'];
     return {
@@ -256,7 +256,7 @@ function readTransform(transform: JsonObject, what: string): JsonObject {
  * out.
  */
 export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry) {
-  const usable = (map: Texture | null): Texture | null =>
+  const usable = (map: Texture | null) =>
     map !== null && geometry.hasAttribute(uvNameOf(map)) ? map : null;
   const { unlit, emissive } = valuesOf(material);
   return {

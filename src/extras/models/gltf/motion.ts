@@ -143,14 +143,8 @@ function clipFinder(file: string, clips: readonly Clip[]): (wanted: string) => C
   };
 }
 
-function motionOf(
-  file: string,
-  clips: readonly Clip[],
-  movable: Movable,
-  parts: readonly ContentPart[],
-  work: number,
-): Motion {
-  const { scene, rigid, joints, deformations } = movable;
+/** Sets all that moves to the pose of a clip at a time; to that of the file for null. */
+function poserOf(clips: readonly Clip[], { scene, rigid, joints, deformations }: Movable) {
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
     if (object instanceof Mesh) {
@@ -167,8 +161,7 @@ function motionOf(
   );
   const matrix = new Matrix4();
   let posed: Clip | null = null;
-  const clipOf = clipFinder(file, clips);
-  const pose = (next: Clip | null, time: number): void => {
+  return (next: Clip | null, time: number): void => {
     if (next !== posed) {
       for (const { rest, set } of tracks) {
         set(rest);
@@ -203,6 +196,17 @@ function motionOf(
       deformation.update();
     }
   };
+}
+
+function motionOf(
+  file: string,
+  clips: readonly Clip[],
+  movable: Movable,
+  parts: readonly ContentPart[],
+  work: number,
+): Motion {
+  const pose = poserOf(clips, movable);
+  const clipOf = clipFinder(file, clips);
   const reaches = new Map<Clip, GeometrySize | null>();
   const read = async (one: Clip, slices: Slices): Promise<GeometrySize | null> => {
     const geometries = new Set(parts.map(({ geometry }) => geometry));

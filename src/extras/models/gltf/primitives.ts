@@ -116,7 +116,7 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     primitive['material'] === undefined
       ? undefined
       : indexAt(primitive['material'], materials.length, 'material');
-  const nameOf = (written: string): string => drawnName(written, materials[material ?? -1]);
+  const nameOf = (written: string) => drawnName(written, materials[material ?? -1]);
   const written = objectAt(primitive['attributes'], 'attributes');
   const attributes = namesIn(written, 'attributes').flatMap((writtenName) => {
     const name = nameOf(writtenName);

@@ -115,7 +115,7 @@ function cellOf(x: number, y: number, z: number): number {
 
 function cellOn(face: number, u: number, v: number, along: number): number {
   // The centre itself has no direction.
-  const at = (value: number): number =>
+  const at = (value: number) =>
     along > 0 ? Math.min(Math.floor(((value / along + 1) / 2) * CELLS), CELLS - 1) : 0;
   return (face * CELLS + at(u)) * CELLS + at(v);
 }

@@ -51,7 +51,7 @@ export function gltfTexture(
   const { image, needs, sampler = {} } = document.textures[index] ?? {};
   if (image === undefined) {
     const reason = needs === undefined ? 'has no image' : `needs the glTF extension ${clip(needs)}`;
-    const read = (): Promise<never> => Promise.reject(new Error(reason));
+    const read = () => Promise.reject(new Error(reason));
     return optional(`textures[${String(index)}]`, read, () => null);
   }
   // Exporters repeat the definition of an image that several textures use.

@@ -77,7 +77,7 @@ const BLOCK_BYTES = 16;
 export function checkKtx2(bytes: Uint8Array): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (view.byteLength < HEADER) throw new Error('is a KTX2 file that ends inside its header');
-  const uint = (at: number): number => view.getUint32(at, true);
+  const uint = (at: number) => view.getUint32(at, true);
   const [format, width, height, depth, layers, faces] = [12, 20, 24, 28, 32, 36].map(uint);
   if (format !== 0) {
     throw new Error(
@@ -93,7 +93,7 @@ export function checkKtx2(bytes: Uint8Array): void {
   }
   const most = Math.ceil((width ?? 0) / 4) * Math.ceil((height ?? 0) / 4) * BLOCK_BYTES;
   for (let level = 0; level < levels; level += 1) {
-    const long = (at: number): number => Number(view.getBigUint64(HEADER + 24 * level + at, true));
+    const long = (at: number) => Number(view.getBigUint64(HEADER + 24 * level + at, true));
     if (long(0) + long(8) > view.byteLength) throw new Error('is a KTX2 file that is cut short');
     if (long(16) > most) throw new Error('is a KTX2 file that unpacks to more than its size says');
   }

@@ -228,7 +228,7 @@ class PlyRows {
     const found = new Set(
       properties.map((property) => (property.countType === null ? slotOf(property.name) : -1)),
     );
-    const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
+    const has = (first: number) => [0, 1, 2].every((i) => found.has(first + i));
     const unit = properties.find((property) => slotOf(property.name) === COLOR)?.type.full;
     if (name === 'vertex') {
       if (!has(PLACE)) throw new Error('its vertices have no x, y and z');

@@ -64,7 +64,7 @@ async function readBinary(
   const places = new Positions(3 * count);
   /** The colour bits of the triangles that are kept. */
   const bits = new Uint16Array(count);
-  const coordinate = (at: number): number => view.getFloat32(at, true);
+  const coordinate = (at: number) => view.getFloat32(at, true);
   let colored = false;
   let anyBits = 0;
   for (let i = 0; i < count; i += 1) {

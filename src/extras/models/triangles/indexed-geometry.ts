@@ -85,7 +85,7 @@ export class IndexedGeometries {
         await gathered(array, firsts.subarray(0, length), numberOf, size, slices),
       );
     };
-    const positionOf = (corner: number): number => corners[corner]!;
+    const positionOf = (corner: number) => corners[corner]!;
     await set('position', lists.places, positionOf, 3);
     await set('normal', lists.normals, (corner) => itemAt(lists.cornerNormals, corner), 3);
     if (withUvs) {

@@ -130,7 +130,7 @@ export class Polygons {
   #cutEars(flat: Float64Array, count: number): void {
     const most = this.steps + POLYGON_STEPS;
     const rest = Array.from({ length: count }, (_, i) => i);
-    const at = (i: number): number => rest[i % rest.length]!;
+    const at = (i: number) => rest[i % rest.length]!;
     while (rest.length > 3) {
       let ear = rest.findIndex((b, i) => {
         this.steps += rest.length;
@@ -154,7 +154,7 @@ const turned: FaceVector = { x: 0, y: 0, z: 0 };
  */
 function flattened(positions: Float32Array, vertices: Int32Array): Float64Array {
   const count = vertices.length;
-  const at = (i: number, axis: number): number => positions[3 * vertices[i]! + axis] ?? NaN;
+  const at = (i: number, axis: number) => positions[3 * vertices[i]! + axis] ?? NaN;
   // Newell's normal: twice the areas of the projections.
   const normal = [0, 0, 0];
   for (let i = 0; i < count; i += 1) {

@@ -122,7 +122,7 @@ export const luminance = (color: Vec3): number => dot(LUMINANCE, map(color, srgb
  */
 export function coreColor(color: Vec3): Vec3 {
   const shown = withinOne(color);
-  const whitened = (share: number): Vec3 => map(shown, (c) => c + (1 - c) * share);
+  const whitened = (share: number) => map(shown, (c) => c + (1 - c) * share);
   if (luminance(shown) >= CORE) return shown;
   let [dark, light] = [0, 1];
   // Ten halvings are finer than a code of 8 bits.

@@ -122,7 +122,7 @@ export class Projection {
   /** Null outside the layer too. */
   pointInside(place: Vec3): Point | null {
     const point = this.point(place);
-    const within = (at: number, size: number): boolean => at >= 0 && at < size;
+    const within = (at: number, size: number) => at >= 0 && at < size;
     return point !== null && within(point.x, this.width) && within(point.y, this.height)
       ? point
       : null;
@@ -236,7 +236,7 @@ export function inside(
   { width, height }: { readonly width: number; readonly height: number },
   margin: number,
 ): Point {
-  const within = (value: number, size: number): number =>
+  const within = (value: number, size: number) =>
     size <= 2 * margin ? size / 2 : clamp(value, margin, size - margin);
   return { x: within(x, width), y: within(y, height) };
 }

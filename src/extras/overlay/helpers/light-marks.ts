@@ -199,7 +199,7 @@ export function placedLight(
 ): PlacedLight {
   const [x, y, z] = values.position;
   const inCamera = values.space === 'camera';
-  const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToWorld(v) : v);
+  const turned = (v: Vec3) => (inCamera ? view.turnToWorld(v) : v);
   const given: Vec3 = inCamera ? view.toWorld([x, y, z]) : [x, y, z];
   const place = isDirectional(values)
     ? add(scene.center, scale(normalize(turned([x, y, z])), DIRECTIONAL_AT * scene.radius))

@@ -193,7 +193,7 @@ export class LightMove {
 export function moved(anchor: Anchor, view: Projection, travel: Travel): Change {
   const { handle, values, placed, scene } = anchor;
   const inCamera = values.space === 'camera';
-  const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToCamera(v) : v);
+  const turned = (v: Vec3) => (inCamera ? view.turnToCamera(v) : v);
   if (handle.part === 'aperture') return { aperture: apertureAfter(anchor, view, travel) };
   if (handle.part === 'axis') {
     const ball = { center: placed.place, radius: placed.spot?.arrow ?? 1 };
@@ -342,7 +342,7 @@ function apertureAfter(
   view: Projection,
   travel: Travel,
 ): number {
-  const allowed = (degrees: number): number => clamp(Math.round(10 * degrees) / 10, 0, WIDEST);
+  const allowed = (degrees: number) => clamp(Math.round(10 * degrees) / 10, 0, WIDEST);
   if (spot === null) return values.aperture;
   if (travel.byKeys) return allowed(values.aperture + (travel.dx - travel.dy) / PIXELS_PER_DEGREE);
   const pointer = { x: handle.at.x + travel.dx, y: handle.at.y + travel.dy };

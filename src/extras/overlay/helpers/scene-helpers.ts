@@ -220,7 +220,7 @@ function pieces(
   view: Projection,
   hiding: Hiding,
 ): { shown: Stroke['lines']; behind: Stroke['lines'] } {
-  const at = (share: number): Vec3 => add(from, scale(subtract(to, from), share));
+  const at = (share: number) => add(from, scale(subtract(to, from), share));
   const result: Record<'shown' | 'behind', (readonly Point[])[]> = { shown: [], behind: [] };
   const sideOf = (i: number): 'shown' | 'behind' =>
     hiding(`${key} ${i}`, () => at((i + 0.5) / count)) === true ? 'behind' : 'shown';
@@ -369,7 +369,7 @@ function normalsOf(
   const normal = geometry.getAttribute('normal');
   const e = matrixWorld.elements;
   const m = turn.elements;
-  const placeOf = (vertex: number): Vec3 =>
+  const placeOf = (vertex: number) =>
     transformed(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
   return (vertex) => {
     const [x, y, z] = [normal.getX(vertex), normal.getY(vertex), normal.getZ(vertex)];

@@ -185,7 +185,7 @@ export function drawingOf(
   const { width, height } = projection;
   const pixels = clamp(ARROW.share * Math.min(width, height), ARROW.least, ARROW.most);
   const unit = pixels / projection.pixelsPerUnit(projection.depthOf(p));
-  const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
+  const placeOf = (vector: Vec3) => projection.point(add(p, scale(vector, unit)));
   const list: DrawnItem[] = [];
   const labels: Name[] = [{ text: 'V', center: at, gap: MARK + 4 }];
   const covered = [boxAround(at, MARK)];

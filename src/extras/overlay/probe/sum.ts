@@ -201,7 +201,7 @@ export function stepsText(
 ): string {
   const { light, name, absence, c } = row;
   if (absence === 'outside its cone') {
-    const isOutside = (digits: number): boolean =>
+    const isOutside = (digits: number) =>
       light === null || rounded(degreesOf(c), digits) > light.aperture;
     return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
       name,
@@ -261,7 +261,7 @@ export function lobeWords(
   shininess: number,
 ): CosineWords {
   const exponent = exponentOf(shininess);
-  const isNear = (n: number): boolean =>
+  const isNear = (n: number) =>
     Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
   return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
 }
@@ -271,7 +271,7 @@ type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
 /** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
 function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number): CosineWords {
   const text = shortNumber(cosine, digits, null);
-  const hasCosine = (n: number): boolean =>
+  const hasCosine = (n: number) =>
     shortNumber(cosDegrees(rounded(degreesOf(cosine), n)), digits, null) === text;
   return {
     angle: degreesText(cosine, decimals(0, hasCosine), texts),
