@@ -217,8 +217,8 @@ class Stage {
     const context = canvas.getContext('2d');
     if (context !== null && hasMemory(context, width, height)) return context;
     // When the GPU process crashes, 2D canvases fail before WebGL notices. Any GPU has memory for
-    // this many pixels.
-    if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
+    // pictures up to this side; no browser makes a canvas beyond 65,535.
+    if (this.#context.noticeLoss() || Math.max(width, height) <= SAFE_SIDE) throw contextLost();
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
