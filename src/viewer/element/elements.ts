@@ -138,7 +138,7 @@ export type LightsByName = Readonly<
 
 /** What `toBlob` makes. */
 export interface PictureOptions {
-  /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
+  /** Pixels, whole, at least 1. Default: the canvas's own size; 300 × 150 without a box on the page. */
   readonly width?: number;
   readonly height?: number;
   /**

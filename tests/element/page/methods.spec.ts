@@ -11,6 +11,7 @@ const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>
 
 test.describe('toBlob', () => {
   test('gives the requested pixels, or those of the canvas; JPEG over white; RangeErrors', async ({
+    page,
     mount,
   }) => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
@@ -40,6 +41,11 @@ test.describe('toBlob', () => {
     expect(await of({ width: 100_000, height: 100_000 })).toBe('RangeError');
     expect(await of({ width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
     expect(await of({ quality: 7 })).toBe('RangeError');
+    await viewer.evaluate((element) => (element.style.display = 'none'));
+    await nextFrame(page);
+    expect(await of({}), 'hidden').toEqual(['image/png', 300, 150]);
+    await viewer.evaluate((element) => (element.style.display = ''));
+    await settled(viewer);
     same(await pixels(viewer), before);
     const corner = await viewer.evaluate(async (element) => {
       const blob = await element.toBlob({ type: 'image/jpeg', quality: 1 });

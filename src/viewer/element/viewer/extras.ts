@@ -104,8 +104,9 @@ export class ViewerExtras implements ReactiveController {
     }
     const { viewport } = this.#context;
     const { whole } = viewport;
-    const width = options.width ?? Math.max(whole.width, 1);
-    const height = options.height ?? Math.max(whole.height, 1);
+    // Without a box on the page, as large as an element without CSS.
+    const width = options.width ?? (whole.width || 300);
+    const height = options.height ?? (whole.height || 150);
     requireCounts({ ...options, width, height });
     const picture = await this.#capture({ width, height }, options);
     const markup = options.markup === true ? this.#context.viewer.toHTML() : '';
