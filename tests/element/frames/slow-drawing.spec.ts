@@ -62,6 +62,11 @@ test.beforeEach(async ({ page }) => {
       if (!held.costs.blocks) throw new Error('the page waits');
       block();
     };
+    const { drawImage } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.drawImage = function (...args: unknown[]) {
+      block(); // so does a copy of the picture
+      (drawImage as (...all: unknown[]) => void).apply(this, args);
+    };
     const later = window.setTimeout.bind(window);
     window.setTimeout = ((run: () => void, ms?: number) =>
       later(() => {
@@ -112,6 +117,7 @@ for (const [viewers, interval, blocks] of [
   [2, 33, false],
   [1, 16, false],
   [1, 16, true],
+  [2, 16, true],
 ] as const) {
   const where = blocks ? 'without GPU compositing' : `with a frame in ${interval} ms`;
   test(`a slow picture has a ninth of the pixels from the fourth of a motion on, and all when it is still: ${viewers} on a page ${where}`, async ({

@@ -171,7 +171,9 @@ class Pace {
   async #measure(): Promise<void> {
     const frames = this.#behind;
     this.#waits = true;
-    await this.#drain();
+    if (this.#fence !== null) {
+      await this.#drain();
+    }
     if (frames > 0) {
       this.#mark();
       const time = await this.#drain();

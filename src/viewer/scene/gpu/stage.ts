@@ -116,7 +116,6 @@ class Stage {
       const renderer = this.#context.open(alone ? viewport : this.#layOut(viewport).atlas);
       if (renderer === null) return false;
       if (render === undefined) return true;
-      this.#count();
       if (alone) {
         this.#drawAlone(viewport, renderer, render);
       } else {
@@ -124,6 +123,7 @@ class Stage {
         drawInto(renderer, place, render);
         this.#drawn.set(viewport, place);
       }
+      this.#count();
       this.#context.checkLinks();
       return true;
     } catch (error) {
@@ -360,7 +360,9 @@ class Stage {
     if (!this.#inFrame) {
       this.#inFrame = true;
       this.#viewersDrawn = 0;
-      void Promise.resolve().then(this.#endFrame); // still before the browser shows the page
+      // Before the browser shows the page, and after the pace has asked the GPU: without GPU
+      // compositing a copy waits until all is drawn.
+      void Promise.resolve().then(this.#endFrame);
     }
     this.#viewersDrawn += 1;
   }
