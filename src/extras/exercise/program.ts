@@ -18,7 +18,8 @@ const WIDTH = 64;
 /**
  * What a learner's text stands behind. The guard puts `exerciseStop` into each turn of a loop. The
  * power of a negative number is undefined in GLSL, and some drivers give that of its amount: here it
- * is not a number. Words of less precision mean half floats on phones, where these would make a
+ * is not a number. Nor is 0 to the power of 0 defined, as where a lamp has no cutoff: here it is 1, as
+ * in the equation. Words of less precision mean half floats on phones, where these would make a
  * right function wrong.
  */
 const PRELUDE = `#version 300 es
@@ -27,7 +28,7 @@ precision highp int;
 precision highp sampler2D;
 ${GIVEN_GLSL};
 float exercisePow(float x, float y) {
-  return x < 0.0 ? uintBitsToFloat(0x7fc00000u) : pow(x, y);
+  return x < 0.0 ? uintBitsToFloat(0x7fc00000u) : y == 0.0 ? 1.0 : pow(x, y);
 }
 vec2 exercisePow(vec2 x, vec2 y) {
   return vec2(exercisePow(x.x, y.x), exercisePow(x.y, y.y));

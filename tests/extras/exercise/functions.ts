@@ -316,7 +316,11 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     ),
   },
   'cutoff-not-shifted': {
-    'plain c': changed(['pow((1.0 + c) / 2.0, light.cutoff)', 'pow(max(c, 0.0), light.cutoff)']),
+    // 0 to the power of 0 where a lamp has no cutoff.
+    'plain c': changed([
+      'light.cutoff > 0.0 ? pow((1.0 + c) / 2.0, light.cutoff) : 1.0',
+      'pow(max(c, 0.0), light.cutoff)',
+    ]),
     'without max': changed(['pow((1.0 + c) / 2.0, light.cutoff)', 'pow(c, light.cutoff)']),
   },
   'no-decay': {
