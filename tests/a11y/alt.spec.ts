@@ -18,7 +18,7 @@ declare global {
 const viewer = (attributes = '') => `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
 
 /** Waits until all warnings so far have been printed. */
-async function reported(page: Page): Promise<void> {
+async function reported(page: Page) {
   for (let i = 0; i < 4; i++) {
     await nextFrame(page);
   }

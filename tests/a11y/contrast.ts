@@ -6,7 +6,7 @@ import { decodePng, pixelAt } from '../support/picture.js';
 /** Codes 0–255; of a screenshot with alpha. */
 export type Rgb = readonly [number, number, number, ...number[]];
 
-function luminance(color: Rgb): number {
+function luminance(color: Rgb) {
   const [r, g, b] = color.map((code) => {
     const c = code / 255;
     return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;

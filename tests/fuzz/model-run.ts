@@ -108,7 +108,7 @@ export function load(viewer: Locator, src: string): Promise<string> {
 }
 
 /** A small picture as text. */
-function pictureOf(viewer: Locator): Promise<string> {
+function pictureOf(viewer: Locator) {
   return viewer.evaluate(async (element: PhongViewer) => {
     const blob = await element.toBlob({ width: 30, height: 20 });
     return String.fromCharCode(...new Uint8Array(await blob.arrayBuffer()));

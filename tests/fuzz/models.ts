@@ -507,7 +507,7 @@ function changedBytes(random: Random, file: Buffer): HostileFile {
 }
 
 /** Replaces, removes or repeats a value anywhere in the tree. */
-function changeValue(random: Random, root: Json): string {
+function changeValue(random: Random, root: Json) {
   let place = root;
   let path = '';
   for (;;) {

@@ -7,7 +7,7 @@ import { WHOLE_LOOP_GLSL } from './loop-mark.js';
 import { srgbDecode, srgbEncode } from '../../src/phong/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
-import { FloatPass, type PassResult, type PassSource, type Uniforms } from './float-pass.js';
+import { FloatPass, type PassSource, type Uniforms } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { gridCheck } from './grid-checks.js';
 import { specialisedChecks } from './specialised-checks.js';
@@ -54,7 +54,7 @@ export interface Extent {
 const WIDTH = 256;
 const f = Math.fround;
 
-const power = (x: number, y: number, k: number): number => {
+const power = (x: number, y: number, k: number) => {
   if (k < f(1e-6)) return 1;
   if (x <= 0) return 0;
   return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
@@ -357,7 +357,7 @@ function checkStorage(gl: Gl, storage: string, rows: number): Checked {
   return { title: `lightRow reads every number of ${storage}`, cases: rows * 4, bound: 0, max };
 }
 
-function once(gl: Gl, source: PassSource, inputs: readonly Float32Array[]): PassResult {
+function once(gl: Gl, source: PassSource, inputs: readonly Float32Array[]) {
   const pass = new FloatPass(gl, source);
   const result = pass.run(inputs.map((data) => ({ data, width: WIDTH })));
   pass.dispose();

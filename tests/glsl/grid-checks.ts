@@ -1,7 +1,6 @@
 // A grid's lists, which the shader finds by place, against the sum over all lights in float64.
 import type { Box } from '../../src/phong/light/cull-lights.js';
 import { divideLights } from '../../src/phong/light/light-grid.js';
-import type { LightValues } from '../../src/phong/light/light-state.js';
 import { emptyPack } from '../../src/phong/light/pack-lights.js';
 import { subtract, type Vec3 } from '../../src/phong/math/vector.js';
 import { lightWith } from '../stress/case.js';
@@ -13,7 +12,7 @@ import { ANYWHERE, isAtEdge, packedFor, programOf, sumLaw } from './specialised-
 const FLOOR: Box = [-10, -0.5, -8, 10, 0.5, 8];
 
 /** Spots down onto the floor, two of them onto all of it, lamps above it, and a sun. */
-function lightsOverFloor(): LightValues[] {
+function lightsOverFloor() {
   const random = new Random(2);
   const colors = () => ({
     ambient: random.color(9),

@@ -55,7 +55,7 @@ export function freshProgramsFor(stress: StressCase, { reflection }: Variant): L
 /** Which variant it is depends on these alone: see {@link variantDefines}. */
 const made = new Map<string, LoopProgram>();
 
-function programOf([form, history]: Way, stress: StressCase, reflection: Reflection): LoopProgram {
+function programOf([form, history]: Way, stress: StressCase, reflection: Reflection) {
   const { shininess } = stress.surface;
   const declared = declaredBefore(history, stress);
   const key = [
@@ -76,7 +76,7 @@ function programOf([form, history]: Way, stress: StressCase, reflection: Reflect
 /** Programs of one name and text are one object. */
 const programs = new Map<string, LoopProgram>();
 
-function shared(program: LoopProgram): LoopProgram {
+function shared(program: LoopProgram) {
   const key = [program.name, ...program.defines].join();
   const known = programs.get(key);
   if (known === undefined) {
@@ -88,7 +88,7 @@ function shared(program: LoopProgram): LoopProgram {
 type Defines = Readonly<Record<string, string>>;
 
 /** The defines of the shipped variant. */
-function variantDefines([form, history]: Way, stress: StressCase, reflection: Reflection): Defines {
+function variantDefines([form, history]: Way, stress: StressCase, reflection: Reflection) {
   const { shininess } = stress.surface;
   const material = {
     look: PLAIN_LOOK,
@@ -157,7 +157,7 @@ const NO_TRAITS = ['REFLECTION_BLINN_PHONG', 'DECLARED_FEATURES'];
 /**
  * The features that a general program leaves out. A specialised one has the masks of its lights.
  */
-function withoutFeatures(declared: number): string[] {
+function withoutFeatures(declared: number) {
   const missing = Object.entries(LIGHT_FEATURES).filter(
     ([name, bit]) => name !== 'powerShift' && (EVERYTHING & bit) !== 0 && (declared & bit) === 0,
   );

@@ -43,7 +43,7 @@ vec4 lightRow(int i) {
 int maskOf(int i) { return int(lightRow(firstMask + i).x); }
 `;
 
-function loopSource(defines: readonly string[], driver: Driver, edit: Edit | null): string {
+function loopSource(defines: readonly string[], driver: Driver, edit: Edit | null) {
   const text = edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
   return `${defines.map((define) => `#define ${define}`).join('\n')}\n${OWN_ROWS}\n${onDriver(text, driver)}`;
 }
@@ -185,7 +185,7 @@ class RowStore {
  * The feature masks that a specialised program of this form has as literals: of each light, or of
  * each kind in a grid.
  */
-function masksOf(form: LoopForm, packed: PackedLights): number[] {
+function masksOf(form: LoopForm, packed: PackedLights) {
   if (form === 'general') return [];
   if (form === 'inlined') return [...packed.features.subarray(0, packed.sent)];
   const ofKind = kindFeatures(packed);
@@ -197,7 +197,7 @@ function masksOf(form: LoopForm, packed: PackedLights): number[] {
  * A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for
  * the check of real grids.
  */
-function oneCell({ rows, counts }: PackedLights): number[] {
+function oneCell({ rows, counts }: PackedLights) {
   const firstSpot =
     HEADER.rows + counts.directional * ROWS.directional.rows + counts.point * ROWS.point.rows;
   const list = Array.from({ length: counts.spot }, (_, i) => firstSpot + i * ROWS.spot.rows);

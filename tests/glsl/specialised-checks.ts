@@ -126,7 +126,7 @@ const EYE: Vec3 = [0, 0, 5];
 const SURFACE = white(8);
 
 /** Lights of every kind and feature around a unit ball. */
-function allLights(): LightValues[] {
+function allLights() {
   const random = new Random(1);
   const lamp = (values: Partial<LightValues>) => {
     const place = scale(random.unit(), random.from(2, 4));

@@ -104,7 +104,7 @@ export async function stressRun(
 }
 
 /** The cases of each program; a case is drawn by several. */
-function byProgram(list: readonly Judged[], variant: Variant): Map<LoopProgram, Judged[]> {
+function byProgram(list: readonly Judged[], variant: Variant) {
   const parts = new Map<LoopProgram, Judged[]>();
   for (const one of list) {
     for (const program of programsFor(one.stress, variant)) {

@@ -63,7 +63,7 @@ export function divisionsAsCalls(glsl: string): string {
     .join('');
 }
 
-function rewriteDivisions(text: string): string {
+function rewriteDivisions(text: string) {
   let rest = text;
   for (;;) {
     const at = rest.search(/(?<!\/)\/(?![/=*])/);
@@ -77,7 +77,7 @@ function rewriteDivisions(text: string): string {
 
 const NAME = /[\w.]/;
 
-function operandStart(text: string, slash: number): number {
+function operandStart(text: string, slash: number) {
   let i = slash - 1;
   while (/\s/.test(text[i]!)) {
     i -= 1;
@@ -91,7 +91,7 @@ function operandStart(text: string, slash: number): number {
   return i + 1;
 }
 
-function operandEnd(text: string, from: number): number {
+function operandEnd(text: string, from: number) {
   let i = from;
   while (/\s/.test(text[i]!)) {
     i += 1;
@@ -106,7 +106,7 @@ function operandEnd(text: string, from: number): number {
 }
 
 /** The index of the bracket that closes (step 1) or opens (step −1) the one at `i`. */
-function matching(text: string, i: number, step: 1 | -1): number {
+function matching(text: string, i: number, step: 1 | -1) {
   let depth = 0;
   for (let k = i; k >= 0 && k < text.length; k += step) {
     if ('(['.includes(text[k]!)) {
@@ -120,7 +120,7 @@ function matching(text: string, i: number, step: 1 | -1): number {
   throw new Error(`unbalanced brackets: ${text.slice(Math.max(0, i - 40), i + 40)}`);
 }
 
-function worstBuiltIns(driver: Exclude<Driver, 'shipped'>): string {
+function worstBuiltIns(driver: Exclude<Driver, 'shipped'>) {
   return `
 const float WORST_LEAST = 1e-37; // smaller numbers may be flushed; literals of 1.2e-38 and less are zero to Firefox on Mesa
 bool worst_undefined = false;

@@ -13,7 +13,7 @@ import { usages } from './requests.js';
 type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
 
 /** Runs in the page. Returns the failure's message, or null if it worked. */
-async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
+async function useIn(viewer: PhongViewer, use: Use) {
   if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
   if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
   if (use === 'shadeAt on') {
@@ -54,7 +54,7 @@ const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] =
   ],
 ];
 
-async function open(page: Page, address: string): Promise<void> {
+async function open(page: Page, address: string) {
   await page.goto(address);
   await allReady(page);
 }

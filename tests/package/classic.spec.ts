@@ -33,7 +33,7 @@ test.beforeEach(() => {
 test.afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Writes a page without a declared encoding. @returns its address */
-function handout(text: string): string {
+function handout(text: string) {
   const path = join(folder, 'handout.html');
   writeFileSync(path, `<!doctype html>\n<title>Handout</title>\n${text}\n`);
   return pathToFileURL(path).href;

@@ -21,7 +21,7 @@ const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8
 let packed: readonly { readonly path: string; readonly size: number }[] | undefined;
 let packedBytes = NaN;
 
-function packedFiles(): NonNullable<typeof packed> {
+function packedFiles() {
   if (packed !== undefined) return packed;
   // Through a shell, because npm is a script on Windows.
   const json = execFileSync('npm pack --dry-run --json --ignore-scripts', {

@@ -13,7 +13,7 @@ const dist = outputFolder('dist');
 const notice = (path: string) =>
   /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
 
-function version(name: string): string {
+function version(name: string) {
   const text = readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8');
   return (JSON.parse(text) as { version: string }).version;
 }

@@ -37,7 +37,7 @@ test('few functions have run when the first picture is drawn', async ({ page, si
   expect(count).toBeGreaterThan(MOST / 2);
 });
 
-async function functionsRun(session: CDPSession): Promise<number> {
+async function functionsRun(session: CDPSession) {
   const { result } = await session.send('Profiler.takePreciseCoverage');
   const file = result.find(({ url }) => url.endsWith('/phong-viewer.standalone.js'));
   return file!.functions.filter(({ ranges }) => ranges[0]!.count > 0).length;

@@ -61,7 +61,7 @@ async function blobOf(
   tab: Tab,
   size: { readonly width?: number; readonly height?: number } = {},
   index = 0,
-): Promise<Picture> {
+) {
   const base64 = await tab.run(
     async ([options, at]) => {
       const viewer = document.querySelectorAll<PhongViewer>('phong-viewer')[at]!;
@@ -88,7 +88,7 @@ export const allReady = (tab: Tab): Promise<null> =>
   });
 
 /** The first viewer's picture against the equation, at this share of its pixels at least. */
-async function showsTheEquation(tab: Tab, what: string, share: number): Promise<void> {
+async function showsTheEquation(tab: Tab, what: string, share: number) {
   const judgement = await tab.onViewer(judgeInPage, { codes: 1, pixels: null, seed: 1, most: 5 });
   const { pass, message } = verdictOf(judgement, { codes: 1, share }, 1);
   expect(pass, `${what}: ${message}`).toBe(true);
@@ -410,7 +410,7 @@ export const CHECKS: readonly Check[] = [
     async holds(tab) {
       const { width, height } = TINY;
       /** Premultiplied codes, each the mean of `times`² pixels. */
-      const codesOf = (picture: Picture, times: number): number[] => {
+      const codesOf = (picture: Picture, times: number) => {
         const means = new Array<number>(4 * width * height).fill(0);
         picture.data.forEach((code, i) => {
           const [x, y] = [(i >> 2) % picture.width, Math.floor((i >> 2) / picture.width)];

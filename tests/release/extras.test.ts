@@ -37,7 +37,7 @@ const COPIED = [
   'vitest.config.ts',
 ];
 
-function copyWithout(gone: ReadonlySet<string>): string {
+function copyWithout(gone: ReadonlySet<string>) {
   const copy = mkdtempSync(join(tmpdir(), 'without-'));
   for (const name of COPIED) {
     cpSync(join(repository, name), join(copy, name), { recursive: true });
@@ -89,7 +89,7 @@ function testsIn(copy: string): readonly string[] {
 const { PHONG_VIEWER_RELEASE: _release, ...shortTests } = process.env;
 
 /** Runs a script of Node; empty, or what it said where it failed. */
-function run(copy: string, ...args: readonly string[]): string {
+function run(copy: string, ...args: readonly string[]) {
   const { status, stdout, stderr } = spawnSync(process.execPath, args, {
     cwd: copy,
     encoding: 'utf8',

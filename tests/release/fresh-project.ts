@@ -66,13 +66,13 @@ export function freshProject(packages: readonly string[]) {
      * Starts a server by a script of an installed package, until the project is removed. Gives the
      * address that it prints, such as `http://localhost:40123`.
      */
-    serve(script: string, args: readonly string[]): Promise<string> {
+    serve(script: string, args: readonly string[]) {
       const { origin, stop } = serve(join(folder, 'node_modules', script), args, folder);
       ends.push(stop);
       return origin;
     },
     /** Builds a page with this body by Vite. Returns the output folder. */
-    build(body: string): string {
+    build(body: string) {
       project.write('index.html', pageOf(body));
       project.run('npx vite build --base ./ --logLevel warn');
       return join(folder, 'dist');
@@ -80,13 +80,13 @@ export function freshProject(packages: readonly string[]) {
     /**
      * Opens the index page of a folder under this policy, and waits until its viewers are drawn.
      */
-    async open(page: Page, root: string, policy = strictPolicy): Promise<void> {
+    async open(page: Page, root: string, policy = strictPolicy) {
       const site = await startSite({ '/': root }, policy);
       ends.push(() => site.close());
       await page.goto(`${site.origin}/`);
       await allReady(page);
     },
-    async remove(): Promise<void> {
+    async remove() {
       for (const end of ends) {
         await end();
       }
@@ -142,7 +142,7 @@ export const readmeScripts = (): string[] =>
     .filter((code) => /(?:from|import) 'phong-viewer'|\.shadeAt\(/.test(code));
 
 /** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
-function pack(folder: string): string {
+function pack(folder: string) {
   const staged = join(folder, 'packed');
   mkdirSync(staged);
   for (const name of ['package.json', 'README.md', 'LICENSE', 'CHANGELOG.md']) {
@@ -156,7 +156,7 @@ function pack(folder: string): string {
   return `./phong-viewer-${manifest.version}.tgz`;
 }
 
-function versioned(name: string): string {
+function versioned(name: string) {
   if (name.lastIndexOf('@') > 0) return name;
   const range = manifest.devDependencies[name];
   if (range === undefined) throw new Error(`${name} is not a devDependency: add a range`);
@@ -185,7 +185,7 @@ function serve(script: string, args: readonly string[], cwd: string) {
   return { origin, stop: () => server.kill() };
 }
 
-function run(command: string, cwd: string): string {
+function run(command: string, cwd: string) {
   try {
     return execSync(command, { cwd, env, encoding: 'utf8', stdio: 'pipe', timeout: 240_000 });
   } catch (error) {

@@ -23,7 +23,7 @@ const utf16 = (size: number): Buffer => {
   return text;
 };
 
-const textured = (count: number, width: number, height: number): Buffer => {
+const textured = (count: number, width: number, height: number) => {
   const images = Array.from({ length: count }, () => pngOf(width, height, 32));
   return texturedGlb(
     images,

@@ -72,7 +72,7 @@ const categories = (
 // Scenes as people write them, and the same pushed to the ends of what their attributes can hold.
 
 /** One to three lights of any kind, a surface of any kind. */
-function generic(random: Random): StressCase {
+function generic(random: Random) {
   const fragment = seen(random);
   const count = random.pick([1, 2, 3]);
   const lights = Array.from({ length: count }, () => {
@@ -101,7 +101,7 @@ const mildPowers = (random: Random, variant: Variant) =>
   );
 
 /** The same light as a spot, near its axis, where it is no direction. */
-function underSpot(random: Random, stress: StressCase): StressCase {
+function underSpot(random: Random, stress: StressCase) {
   const light = stress.lights[0]!;
   if (light.position[3] === 0) return stress;
   const cutoff = mildExponent(random, 64);
@@ -113,7 +113,7 @@ function underSpot(random: Random, stress: StressCase): StressCase {
 }
 
 /** Light that grazes the surface: NoL from −1e-2 to 1e-2. */
-function grazing(random: Random): StressCase {
+function grazing(random: Random) {
   const fragment = seen(random);
   const off = random.sign() * random.magnitude(1e-6, 1e-2);
   const L = random.around(fragment.N, Math.PI / 2 - off);
@@ -125,7 +125,7 @@ function grazing(random: Random): StressCase {
 }
 
 /** The light is behind the surface, and perhaps its back is turned as well. */
-function behind(random: Random): StressCase {
+function behind(random: Random) {
   const fragment = seen(random);
   const L = scale(random.around(fragment.N, random.from(0, 1.56)), -1);
   const light = {
@@ -140,7 +140,7 @@ function behind(random: Random): StressCase {
 }
 
 /** A light so near that its and the fragment's coordinates have few digits left between them. */
-function near(random: Random): StressCase {
+function near(random: Random) {
   const fragment = seen(random);
   const L = random.around(fragment.N, random.from(0, 1.57));
   const position = place(add(fragment.p, scale(L, random.magnitude(0.03, 0.3))));
@@ -149,7 +149,7 @@ function near(random: Random): StressCase {
 }
 
 /** Attenuation from nothing to its largest, at distances from near to far. */
-function attenuated(random: Random): StressCase {
+function attenuated(random: Random) {
   const fragment = seen(random);
   const constant = random.pick([0, 1, random.magnitude(1e-3, 1e6), 1e6]);
   const falling = () => random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
@@ -175,7 +175,7 @@ function bright(random: Random): StressCase {
 }
 
 /** Bright lights on bright materials; the fragment is anywhere about a spot, mostly behind it. */
-function brightMaterial(random: Random): StressCase {
+function brightMaterial(random: Random) {
   const fragment = seen(random);
   const brightness = () => random.pick([255, 1e4, 1e6, random.magnitude(1, 1e6)]);
   const color = () => random.color(brightness());
@@ -274,7 +274,7 @@ const ordinaryCategories = categories({
  * A white spot at this angle off its axis to the fragment: ambient light shows its cone and decay
  * alone.
  */
-function spot(random: Random, angle: number, values: Partial<LightValues>): StressCase {
+function spot(random: Random, angle: number, values: Partial<LightValues>) {
   if (random.chance(0.3)) {
     const L = random.unit();
     const p = openPoint(random, L);
@@ -286,13 +286,13 @@ function spot(random: Random, angle: number, values: Partial<LightValues>): Stre
 }
 
 /** cutoff·(1 - c)/2 from 1e-3, where the decay begins, to 30, where it has ended. */
-function nearAxis(random: Random, least: number, largest: number): StressCase {
+function nearAxis(random: Random, least: number, largest: number) {
   const cutoff = random.magnitude(least, largest);
   return spot(random, chordAngle((2 * random.magnitude(1e-3, 30)) / cutoff), { cutoff });
 }
 
 /** Straight behind the spot, or up to 0.1 rad from there. */
-function antipode(random: Random): StressCase {
+function antipode(random: Random) {
   const off = random.chance(0.1) ? 0 : random.magnitude(1e-9, 0.1);
   const aperture = random.chance(0.5) ? 180 : random.from(175, 180);
   return spot(random, Math.PI - off, {
@@ -302,7 +302,7 @@ function antipode(random: Random): StressCase {
 }
 
 /** Without a cone everything passes, wherever it lies. */
-function open(random: Random): StressCase {
+function open(random: Random) {
   const angle = random.pick([0, Math.PI, random.from(0, Math.PI), random.magnitude(1e-9, 1)]);
   return spot(random, angle, { aperture: 180, cutoff: random.pick([0, 1e-7, random.from(1, 8)]) });
 }
@@ -320,7 +320,7 @@ const WORLD_AXES: readonly Vec3[] = [
  * A cone of no width: fragments exactly on the axis, along the world's axes where doubles are
  * exact, or beside it.
  */
-function widthless(random: Random): StressCase {
+function widthless(random: Random) {
   if (random.chance(0.5)) {
     const off = random.magnitude(1e-5, Math.PI);
     return spot(random, off, { aperture: 0, cutoff: random.pick([0, 2]) });
@@ -338,7 +338,7 @@ function widthless(random: Random): StressCase {
 }
 
 /** A cone at most half a degree wide, inside and outside of it. */
-function narrow(random: Random): StressCase {
+function narrow(random: Random) {
   const aperture = random.magnitude(1e-3, 0.5);
   const angle =
     radians(aperture) * random.pick([random.from(0, 1), random.from(1, 2), random.from(0, 20)]);
@@ -346,7 +346,7 @@ function narrow(random: Random): StressCase {
 }
 
 /** To either side of the edge of a cone of any width, from 1e-8 to 1e-2 rad. */
-function edge(random: Random): StressCase {
+function edge(random: Random) {
   const aperture = random.chance(0.3) ? random.from(0.01, 2) : random.from(0.01, 179.9);
   const off = random.sign() * random.magnitude(1e-8, 1e-2);
   const angle = Math.min(Math.max(radians(aperture) + off, 0), Math.PI);
@@ -354,7 +354,7 @@ function edge(random: Random): StressCase {
 }
 
 /** No axis: neither cone nor decay, whatever they say. */
-function axisless(random: Random): StressCase {
+function axisless(random: Random) {
   const fragment = seen(random);
   const light = spotOver(random, fragment.p, 0, {
     ...colors(random),
@@ -366,7 +366,7 @@ function axisless(random: Random): StressCase {
 }
 
 /** An axis of any length from 1e-300 to 1e15. */
-function axisOfAnyLength(random: Random): StressCase {
+function axisOfAnyLength(random: Random) {
   const fragment = seen(random);
   const light = spotOver(random, fragment.p, random.from(0, 1), {
     aperture: 90,
@@ -419,7 +419,7 @@ const spotCategories = categories(
 // normals of any length, and whatever can be written into an attribute.
 
 /** A light, perhaps a spot, at the fragment or no farther than float32 tells apart from it. */
-function atFragment(random: Random): StressCase {
+function atFragment(random: Random) {
   const fragment = seen(random);
   // At the origin float32 holds 1e-15 and less; elsewhere such a distance rounds to nothing.
   const p = random.chance(0.5) ? ORIGIN : fragment.p;
@@ -438,7 +438,7 @@ function atFragment(random: Random): StressCase {
 }
 
 /** A directional light that points nowhere, beside one that does. */
-function directionless(random: Random): StressCase {
+function directionless(random: Random) {
   const fragment = seen(random);
   const nowhere = lightWith({
     ...colors(random),
@@ -452,7 +452,7 @@ function directionless(random: Random): StressCase {
 }
 
 /** A directional light of any length, down to the smallest double. */
-function directionOfAnyLength(random: Random): StressCase {
+function directionOfAnyLength(random: Random) {
   const fragment = seen(random);
   const size = random.pick([5e-324, 1e-300, 1e-40, 1e-15, 1e15 / 2]);
   const position = direction(scale(random.around(fragment.N, random.from(0, 1.5)), size));
@@ -465,7 +465,7 @@ function directionOfAnyLength(random: Random): StressCase {
  * The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half
  * vector has no direction.
  */
-function opposite(random: Random): StressCase {
+function opposite(random: Random) {
   const L = random.pick(AXES.slice(0, 3));
   const normal = shortNormal(random, random.around(L, random.from(0, 1.5)));
   const p: Vec3 = [random.pick([-1, 0, 2]), random.pick([-2, 0, 1]), random.pick([-1, 0, 1])];
@@ -480,7 +480,7 @@ function opposite(random: Random): StressCase {
 const SMALLEST = 2 ** -149;
 
 /** Interpolated normals that cancel, vanish or overflow. */
-function normals(random: Random): StressCase {
+function normals(random: Random) {
   const fragment = seen(random);
   const size = random.pick([
     0,
@@ -528,7 +528,7 @@ const NUMBERS = [
  * What stands after this was written into the attribute, or into the property: the value, or the
  * default.
  */
-function written<T>(random: Random, field: Field<T>): T {
+function written<T>(random: Random, field: Field<T>) {
   const size = Array.isArray(field.fallback) ? field.fallback.length : 1;
   const asText = random.chance(0.5);
   const numbers = Array.from({ length: size }, () =>
@@ -548,7 +548,7 @@ const LIGHT_KEYS = [
 ];
 
 /** Anything at all in every attribute of a light and a surface. */
-function anything(random: Random): StressCase {
+function anything(random: Random) {
   const fragment = seen(random);
   const values: Partial<Record<keyof LightValues, unknown>> = colors(random);
   for (const key of LIGHT_KEYS) {
@@ -624,7 +624,7 @@ function movedNormal(matrix: Matrix4, first: Vec3, second: Vec3): Vec3 {
   return scale(normalize(across), dot(cross(x, y), z) < 0 ? -1 : 1);
 }
 
-function turned(random: Random, size: Vec3): Matrix4 {
+function turned(random: Random, size: Vec3) {
   const turn = new Quaternion().setFromEuler(new Euler(...random.vector(-3, 3)));
   return new Matrix4().compose(new Vector3(), turn, new Vector3(...size));
 }

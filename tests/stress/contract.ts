@@ -91,7 +91,7 @@ export const BRANCHES = {
 } as const;
 
 /** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */
-function spotAngle(light: LightValues, share: LightShare): number {
+function spotAngle(light: LightValues, share: LightShare) {
   const A = normalize(light.axis);
   return Math.atan2(length(cross(share.L, A)), -dot(share.L, A));
 }
@@ -140,7 +140,7 @@ function nearLight(stress: StressCase, light: LightValues, share: LightShare): s
 }
 
 /** Distance to the light over the largest coordinate; 1 where that is at most the distance. */
-function openness({ p, eye }: StressCase, { d }: LightShare): number {
+function openness({ p, eye }: StressCase, { d }: LightShare) {
   const size = Math.max(...p.map(Math.abs), ...eye.map(Math.abs));
   return d < size ? d / size : 1;
 }

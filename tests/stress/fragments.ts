@@ -143,12 +143,7 @@ interface Directions {
 }
 
 /** The specular term alone under a white light from L, near or far, seen from V. */
-function shining(
-  random: Random,
-  n: number,
-  { normal, L, V }: Directions,
-  isOpen = false,
-): StressCase {
+function shining(random: Random, n: number, { normal, L, V }: Directions, isOpen = false) {
   const p = isOpen ? openPoint(random, L) : float32(random.vector(-1, 1));
   const eye = float32(add(p, scale(V, isOpen ? random.from(0.02, 0.1) : random.from(1, 5))));
   const position =

@@ -85,7 +85,7 @@ export function replayed(list: number[], seed: number): Random {
  * Uniform numbers in [0, 1): Chris Doty-Humphrey's sfc32 (PractRand). Its 128 bits of state do not
  * come round in the billions of numbers of a long run, as those of a 32-bit generator do.
  */
-function sfc32(seed: number): () => number {
+function sfc32(seed: number) {
   let [a, b, c, counter] = [0, seed | 0, 0, 1];
   const next = () => {
     const t = (a + b + counter) | 0;

@@ -9,12 +9,12 @@ const STEPS = 4000;
 /**
  * An error that only cases beside 0.3 0.7 0.5 0.9 have: one in 10^8 at random comes within 1e-2.
  */
-function peak(random: Random): number {
+function peak(random: Random) {
   const at = [0.3, 0.7, 0.5, 0.9];
   return Math.exp(-Math.max(...at.map((x) => Math.abs(random.from(0, 1) - x))) * 20);
 }
 
-function climbed(seed: number): number {
+function climbed(seed: number) {
   const search = new Search(seed);
   let largest = 0;
   for (let i = 0; i < STEPS; i++) {

@@ -7,7 +7,7 @@ import type { Measured } from './measure.js';
  * Each way in which one category breaks the contract, in words; none where it keeps it. `worst`: on
  * a worst lawful driver.
  */
-function verdictOf(measured: Measured, worst: boolean): string[] {
+function verdictOf(measured: Measured, worst: boolean) {
   const { title, bound, notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
   if (notFinite > 0) {
@@ -66,7 +66,7 @@ const countedCodes = ({ exact, channels, forms }: Measured): Codes => ({
  * channels on an H200 all but ten came in threes; of 78 through Vulkan, 48 came in twelves, which is
  * three channels in four forms.
  */
-function exactEnough({ exact, channels, fragments }: Codes, share: number): boolean {
+function exactEnough({ exact, channels, fragments }: Codes, share: number) {
   const each = channels / Math.max(fragments, 1);
   const expected = (1 - share) * fragments;
   return (channels - exact) / each <= expected + 4 * Math.sqrt(expected + 1);

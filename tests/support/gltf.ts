@@ -70,7 +70,7 @@ export function patch(options: PatchOptions): string {
   return data('model/gltf+json', Buffer.from(json));
 }
 
-function pngOf(texels: readonly Texel[]): Buffer {
+function pngOf(texels: readonly Texel[]) {
   const size = Math.sqrt(texels.length);
   const png = new PNG({ width: size, height: size });
   texels.forEach(([r, g, b, a = 255], i) => png.data.set([r, g, b, a], 4 * i));

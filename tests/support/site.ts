@@ -122,7 +122,7 @@ export const named = (markup: string): string =>
 const kept = { 'cache-control': 'max-age=3600' } as const;
 const keptTypes: ReadonlySet<string> = new Set(['.js', '.mjs']);
 
-function fileUnder(mounts: Readonly<Record<string, string>>, path: string): string | undefined {
+function fileUnder(mounts: Readonly<Record<string, string>>, path: string) {
   const prefix = Object.keys(mounts).find((start) => path.startsWith(start));
   if (prefix === undefined) return undefined;
   const inside = normalize(`/${path.slice(prefix.length)}`);

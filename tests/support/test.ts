@@ -187,7 +187,7 @@ export async function setPixelRatio(page: Page, deviceScaleFactor: number): Prom
 }
 
 /** Gives a page its own ratio again, for the next test. */
-async function restorePixelRatio(page: Page): Promise<void> {
+async function restorePixelRatio(page: Page) {
   const session = scaled.get(page);
   const size = page.viewportSize();
   if (session === undefined || size === null || page.isClosed()) return;
@@ -198,7 +198,7 @@ async function restorePixelRatio(page: Page): Promise<void> {
   await page.setViewportSize(size);
 }
 
-async function defined(page: Page): Promise<void> {
+async function defined(page: Page) {
   await page.evaluate(async () => {
     const late = new Promise<never>((_, reject) =>
       setTimeout(

@@ -47,7 +47,7 @@ const linksOf = (
       return { file: file === '' ? path : join(dirname(path), file), anchor };
     });
 
-function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]): boolean {
+function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]) {
   const place = join(repository, file);
   if (!existsSync(place)) return true;
   return (

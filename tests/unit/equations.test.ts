@@ -81,7 +81,7 @@ function formulasOf(path: string, text: string): readonly string[] {
 }
 
 /** The value of a formula, in which factors may stand side by side. */
-function valueOf(formula: string, values: Readonly<Record<string, number>>): number {
+function valueOf(formula: string, values: Readonly<Record<string, number>>) {
   const code = formula
     .replaceAll(/([NR]) ?· ?([LVH])/g, '$1o$2')
     .replaceAll('²', '^2')
@@ -132,7 +132,7 @@ function sample(random: Random) {
 }
 
 /** What the reference has for a formula with these names. */
-function expected(formula: string, { share, values }: ReturnType<typeof sample>): number {
+function expected(formula: string, { share, values }: ReturnType<typeof sample>) {
   if (/\bk ?c\b/.test(formula)) return share.att;
   if (formula.includes('cutoff')) return share.decay;
   if (/\^ ?shininess/.test(formula)) return values.spec;

@@ -7,10 +7,7 @@ import { describe, expect, it } from 'vitest';
 import { ConsoleGuard } from '../support/console-guard.js';
 import { compare, pixelAt, type Picture } from '../support/picture.js';
 
-async function guarded(): Promise<{
-  guard: ConsoleGuard;
-  say: (type: string, text: string) => void;
-}> {
+async function guarded() {
   const context = Object.assign(new EventEmitter(), { addInitScript: () => Promise.resolve() });
   const guard = new ConsoleGuard();
   await guard.watch(context as unknown as BrowserContext);

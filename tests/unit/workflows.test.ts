@@ -52,7 +52,7 @@ const runs = workflows.flatMap(({ name, text }) =>
 
 /** What `--help` prints, by script. */
 const helps = new Map<string, string>();
-function helpOf(script: string): string {
+function helpOf(script: string) {
   const [, program = ''] = /^node (\S+)/.exec(scripts[script] ?? '') ?? [];
   const help =
     helps.get(script) ?? execFileSync(process.execPath, [program, '--help'], { encoding: 'utf8' });

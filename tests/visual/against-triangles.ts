@@ -100,7 +100,7 @@ const seenOf = remembered(
 );
 
 /** The mesh's own triangles. Corners share nothing. */
-function cornersOf({ geometry, segments }: CastMesh, shading: string): BufferGeometry {
+function cornersOf({ geometry, segments }: CastMesh, shading: string) {
   const made = createGeometry(geometry, segments) as BufferGeometry;
   const split = shading === 'flat' ? flatGeometry(made) : made;
   return split.index === null ? split : split.toNonIndexed();

@@ -31,7 +31,7 @@ const SCALES: Readonly<Record<string, Step>> = {
 };
 
 /** Pixels that lie inside the outline: they and their neighbours are covered in full. */
-function insideOutline({ codes }: Drawn, width: number): number[] {
+function insideOutline({ codes }: Drawn, width: number) {
   const isFull = (i: number) => codes[4 * i + 3] === 255;
   const near = [0, 1, -1, width, -width, width + 1, width - 1, -width + 1, -width - 1];
   return Array.from({ length: codes.length / 4 }, (_, i) => i).filter((i) =>

@@ -50,7 +50,7 @@ function crowd(count: number, seed: number): LightValues[] {
   });
 }
 
-async function expectWithinPromises(page: Page): Promise<void> {
+async function expectWithinPromises(page: Page) {
   const programs = await glPrograms(page);
   expect(programs.some(isLit)).toBe(true);
   for (const { uniformVectors, blockBytes, fragment } of programs) {
@@ -103,7 +103,7 @@ test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 g
  */
 const FLOOR = { size: 20, height: 3, aperture: 20.6 } as const;
 
-function spots(count: number, seed: number): LightValues[] {
+function spots(count: number, seed: number) {
   const dice = new Dice(seed);
   const spot = () =>
     lightWith({
@@ -140,7 +140,7 @@ const overFloor = (lights: readonly LightValues[], shading = 'phong'): DeclaredS
 });
 
 /** Whether the last frame was drawn with a light grid. */
-async function usesGrid(page: Page): Promise<boolean> {
+async function usesGrid(page: Page) {
   await glSpent(page);
   await drawFrames(page, 1);
   const drawn = await page.evaluate(() => window.glLog.drawnWith());
@@ -204,7 +204,7 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
 });
 
 /** The first frame of this markup, in a second viewer, which is removed again. */
-async function firstPicture(page: Page, markup: string): Promise<Picture> {
+async function firstPicture(page: Page, markup: string) {
   await page.evaluate(
     (html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`),
     markup,

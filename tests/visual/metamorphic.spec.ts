@@ -89,7 +89,7 @@ async function forEachLikeness(
     picture: Picture,
     other: Picture,
   ) => void,
-): Promise<void> {
+) {
   // Viewers are not displayed, so only toBlob draws.
   const viewer = await mount('<main><phong-viewer></phong-viewer></main>', {
     css: 'main { display: none }',
@@ -167,7 +167,7 @@ test('draws within one code a scene that is moved, rotated, or lit equivalently'
 });
 
 /** Indices of channels away from outlines, edges of cones and ends of highlights. */
-function steadyChannels(scene: DeclaredScene): number[] {
+function steadyChannels(scene: DeclaredScene) {
   return innerPixels(scene, SIZE.width, SIZE.height, 1)
     .filter(({ hit }) =>
       hit.shaded.shares.every((s) => s === null || Math.abs(s.NoL) >= TERMINATOR),

@@ -73,7 +73,7 @@ const PICTURES: Readonly<Record<string, HardPicture>> = {
 };
 
 /** Premultiplied, as the canvas has it. */
-function errorsOf({ data }: Picture, means: Float64Array): { rmse: number; within: number } {
+function errorsOf({ data }: Picture, means: Float64Array) {
   let squares = 0;
   let within = 0;
   for (let i = 0; i < data.length; i += 4) {

@@ -9,7 +9,7 @@ import { assign, settled } from '../element/support/viewer.js';
 import { type ViewerLocator, expect, pixels, same, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';
 import { firstOf, fullOr, repeats, SEED } from '../support/repeats.js';
-import { compareWithReference, type Errors } from './against-reference.js';
+import { compareWithReference } from './against-reference.js';
 import { randomScene, sceneMarkup } from './random-scene.js';
 import { cameraOf, type DeclaredScene } from './ray-cast.js';
 
@@ -25,7 +25,7 @@ async function errorsOf(
   scene: DeclaredScene,
   view: View,
   only: number | null,
-): Promise<Errors> {
+) {
   const name = only === null ? '' : `light ${String(only + 1)}`;
   await assign(viewer, { view, viewLight: name });
   const picture = await pixels(viewer, SIZE);
@@ -83,7 +83,7 @@ interface Sample {
   readonly explained: Explained & { readonly triangle: number };
 }
 
-async function samplesOf(viewer: ViewerLocator, every: number): Promise<Sample[]> {
+async function samplesOf(viewer: ViewerLocator, every: number) {
   return viewer.evaluate(
     async (element, { width, height, every: step }) => {
       const found: Sample[] = [];

@@ -97,7 +97,7 @@ function drawerOf(
 }
 
 /** The rows of lights, one a texel. */
-function rowTexture(gl: WebGL2RenderingContext, rows: Float32Array): WebGLTexture {
+function rowTexture(gl: WebGL2RenderingContext, rows: Float32Array) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, rows.length / 4, 1, 0, gl.RGBA, gl.FLOAT, rows);
@@ -149,7 +149,7 @@ function floatsOf(gl: WebGL2RenderingContext, draw: Drawer): Float64Array {
 }
 
 /** Gives the page a turn whenever a task has lasted long; throws once `signal` is aborted. */
-function pace(signal: AbortSignal): () => Promise<void> {
+function pace(signal: AbortSignal) {
   let last = performance.now();
   return async () => {
     signal.throwIfAborted();

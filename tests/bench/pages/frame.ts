@@ -117,7 +117,7 @@ window.bench = {
 };
 
 /** Share of the picture that is not transparent. */
-function litShare(gl: WebGL2RenderingContext): number {
+function litShare(gl: WebGL2RenderingContext) {
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
   const pixels = new Uint8Array(width * height * 4);
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);

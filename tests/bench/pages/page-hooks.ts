@@ -30,7 +30,7 @@ const getContext = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, 
 Object.defineProperty(HTMLCanvasElement.prototype, 'getContext', {
   configurable: true,
   writable: true,
-  value(this: HTMLCanvasElement, ...args: unknown[]): unknown {
+  value(this: HTMLCanvasElement, ...args: unknown[]) {
     const context = getContext.apply(this, args);
     if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) {
       contexts.push(context);

@@ -74,12 +74,12 @@ export const openElement =
     /**
      * Changes the picture and draws until it has so many samples. Ends in the task that drew it.
      */
-    const draw = async (wanted: number): Promise<void> => {
+    const draw = async (wanted: number) => {
       const before = viewers.map(({ stats }) => stats.frames);
       isNudged = !isNudged;
       turn(isNudged ? NUDGE : 0);
       await Promise.resolve(); // the element gathers changes until here
-      const isShown = (viewer: Viewer, i: number): boolean => {
+      const isShown = (viewer: Viewer, i: number) => {
         const { frames, samples } = viewer.stats;
         return frames > before[i]! && samples === wanted;
       };

@@ -62,10 +62,7 @@ async function canvases(
   });
 }
 
-function cameraOf(
-  { camera: { eye, target, up, radius }, fov }: Viewer,
-  aspect: number,
-): PerspectiveCamera {
+function cameraOf({ camera: { eye, target, up, radius }, fov }: Viewer, aspect: number) {
   const camera = new PerspectiveCamera(fov, aspect, radius / 20, 20 * radius);
   camera.position.set(...eye);
   camera.up.set(...up);
@@ -74,7 +71,7 @@ function cameraOf(
   return camera;
 }
 
-function sceneOf(viewer: Viewer, decodes: boolean): Scene {
+function sceneOf(viewer: Viewer, decodes: boolean) {
   const scene = new Scene();
   const { lights } = sceneOnPage(viewer);
   for (const shown of shownMeshes(viewer)) {

@@ -67,7 +67,7 @@ const CORNER = Math.atan(Math.tan((FOV / 2) * (Math.PI / 180)) * Math.hypot(1, W
 const FILLED = 0.97 * (0.5 / Math.sin(CORNER));
 
 /** The i-th number of the van der Corput sequence in a prime base, in [0, 1). */
-function halton(i: number, base: number): number {
+function halton(i: number, base: number) {
   let [result, share] = [0, 1];
   for (let n = i + 1; n > 0; n = Math.floor(n / base)) {
     share /= base;

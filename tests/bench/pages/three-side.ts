@@ -60,14 +60,14 @@ export function threeLight({
   return placed(spot, [x, y, z]);
 }
 
-function placed<T extends Light>(light: T, [x, y, z]: readonly [number, number, number]): T {
+function placed<T extends Light>(light: T, [x, y, z]: readonly [number, number, number]) {
   light.position.set(x, y, z);
   return light;
 }
 
 const targetOf = (light: Light) => (light instanceof SpotLight ? [light.target] : []);
 
-function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): MeshPhongMaterial {
+function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene) {
   const { kd, ks } = SURFACE;
   const material = new MeshPhongMaterial({
     color: new Color().setScalar(kd / 255).convertSRGBToLinear(),
@@ -80,7 +80,7 @@ function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): M
   return material;
 }
 
-async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[]> {
+async function threeMeshes(scene: BenchScene, material: Material) {
   const geometries = new Map<string, BufferGeometry>();
   const meshes: Mesh[] = [];
   for (const { shape, position = ORIGIN, scale = 1 } of scene.meshes) {
@@ -101,7 +101,7 @@ async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[
  * The first geometry of a model. `material` takes over which sides the model shows and whether it
  * is blended.
  */
-async function loadGeometry(url: string, material: Material): Promise<BufferGeometry> {
+async function loadGeometry(url: string, material: Material) {
   const [{ GLTFLoader }, { DRACOLoader }] = await Promise.all([
     import('three/addons/loaders/GLTFLoader.js'),
     import('three/addons/loaders/DRACOLoader.js'),

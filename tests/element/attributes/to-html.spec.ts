@@ -14,7 +14,7 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
     <phong-light position="0 3 3" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
     <phong-light active="false" diffuse="#f00"></phong-light></phong-viewer>`;
 
-async function roundTrip(page: Page, viewer: ViewerLocator): Promise<void> {
+async function roundTrip(page: Page, viewer: ViewerLocator) {
   const before = await pixels(viewer, size);
   const text = await htmlOf(viewer);
   same(await shownBy(page, text, size), before);

@@ -174,7 +174,7 @@ test('camera-change names its source once a task, never at the start, and does n
 });
 
 /** 1.05 R / sin(half the smaller field). */
-const fitted = (reach: number, width: number, height: number, fov = 45): number => {
+const fitted = (reach: number, width: number, height: number, fov = 45) => {
   const vertical = (fov * Math.PI) / 360;
   const horizontal = Math.atan((Math.tan(vertical) * width) / height);
   return (1.05 * reach) / Math.sin(Math.min(vertical, horizontal));

@@ -101,7 +101,7 @@ export function installFaultDeeds(): void {
     }
   }
 
-  async function heal(): Promise<string> {
+  async function heal() {
     faults.callsLeft = Infinity;
     faults.opening = 'works';
     for (const viewer of away.splice(0)) {
@@ -149,7 +149,7 @@ export function installFaultDeeds(): void {
     return [outcome, ...notices].filter((text) => text !== '').join('; ');
   }
 
-  async function leaks(): Promise<string> {
+  async function leaks() {
     const found: string[] = [];
     const expect = (what: string, actual: number, wanted: number): void => {
       if (actual !== wanted) {

@@ -16,7 +16,7 @@ test.beforeEach(async ({ page }) => {
     const real = { ...Object.getOwnPropertyDescriptors(WebGL2RenderingContext.prototype) };
     const late = new WeakSet<WebGLProgram>();
     Object.assign(WebGL2RenderingContext.prototype, {
-      getExtension(this: WebGL2RenderingContext, name: string): unknown {
+      getExtension(this: WebGL2RenderingContext, name: string) {
         const isOurs = name === 'KHR_parallel_shader_compile'; // software GL does not have it
         return isOurs
           ? { COMPLETION_STATUS_KHR }

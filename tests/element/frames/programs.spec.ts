@@ -18,7 +18,7 @@ import { settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
 
-async function litPrograms(page: Page): Promise<GlProgram[]> {
+async function litPrograms(page: Page) {
   return (await drawnWith(page)).filter(isLit);
 }
 
@@ -77,7 +77,7 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: string]>>
  * Whether `more` declares everything that `less` declares, in the same variant, and something that
  * adds code.
  */
-function declaresMore(more: string, less: string): boolean {
+function declaresMore(more: string, less: string) {
   const [all, some] = [more.split(' '), less.split(' ')];
   const added = all.filter((need) => !some.includes(need));
   return (

@@ -106,11 +106,7 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'the geometry': (element) => (element.geometry = 'box'),
 };
 
-async function expectWhole(
-  viewer: ViewerLocator,
-  which: string,
-  { picture, programs }: Shown,
-): Promise<void> {
+async function expectWhole(viewer: ViewerLocator, which: string, { picture, programs }: Shown) {
   const whole = await pixels(viewer);
   const same = programsOf(await drawnWith(viewer.page())) === programs;
   const isLit = picture.data.some((code) => code > 40 && code < 250);
@@ -123,7 +119,7 @@ async function expectWhole(
   }
 }
 
-async function settle(page: Page, viewer: ViewerLocator): Promise<void> {
+async function settle(page: Page, viewer: ViewerLocator) {
   await drawFrames(page, 30); // long enough for a specialised program
   await moveFor(viewer, 30);
 }

@@ -43,7 +43,7 @@ const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): Declare
 });
 
 /** Replaces the viewer with this scene. */
-async function show(viewer: ViewerLocator, scene: DeclaredScene): Promise<void> {
+async function show(viewer: ViewerLocator, scene: DeclaredScene) {
   await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
   await settled(viewer);
 }

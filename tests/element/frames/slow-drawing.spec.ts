@@ -91,7 +91,7 @@ const setCosts = (viewer: ViewerLocator, costs: Costs) =>
   }, costs);
 
 /** Turns for so many pictures, gives the canvas's widths, and waits until it has all pixels again. */
-async function turn(viewer: ViewerLocator, pictures: number, costs: Costs): Promise<number[]> {
+async function turn(viewer: ViewerLocator, pictures: number, costs: Costs) {
   await setCosts(viewer, costs);
   return viewer.evaluate(async (element, count) => {
     const canvas = () => element.shadowRoot!.querySelector('canvas')!;

@@ -37,7 +37,7 @@ const renders = (viewer: ViewerLocator) =>
   });
 
 /** Waits until it has all samples. */
-async function converged(viewer: ViewerLocator): Promise<void> {
+async function converged(viewer: ViewerLocator) {
   await settled(viewer);
   expect(await samplesOf(viewer)).toBe(16);
 }

@@ -49,7 +49,7 @@ const rmse = (a: Means, b: Means) =>
 const BY_PIXEL: readonly string[] = ['triangles'];
 
 /** Waits for all samples and holds the picture against the mean of a larger one. */
-async function showsTheMean(viewer: ViewerLocator, what: string): Promise<void> {
+async function showsTheMean(viewer: ViewerLocator, what: string) {
   await settled(viewer);
   expect(await samplesOf(viewer), what).toBe(64);
   const shown = meansOf(await pixels(viewer), 1);

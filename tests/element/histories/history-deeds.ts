@@ -48,7 +48,7 @@ export function installDeeds(): void {
     owned.set(viewer, present);
     return present;
   };
-  async function addOwn(viewer: PhongViewer, place: string): Promise<void> {
+  async function addOwn(viewer: PhongViewer, place: string) {
     const address = '/node_modules/three/build/three.module.js';
     const library = (three ??= (await import(address)) as typeof Three);
     const [x = 0, y = 0, z = 0] = place.split(' ').map(Number);
@@ -82,7 +82,7 @@ export function installDeeds(): void {
   const targetOf = (viewer: PhongViewer, step: Step) =>
     step.tag === 'phong-viewer' ? viewer : childOf(viewer, step);
   const other = (step: Step) => round(viewers(), step.viewer + Number(step.value))!;
-  async function frames(count: number, each: () => void): Promise<void> {
+  async function frames(count: number, each: () => void) {
     for (let i = 0; i < count; i++) {
       each();
       await frame();
@@ -212,7 +212,7 @@ export function installDeeds(): void {
     },
   };
 
-  async function take(steps: readonly Step[]): Promise<void> {
+  async function take(steps: readonly Step[]) {
     for (const step of steps) {
       const viewer = round(viewers(), step.viewer);
       const anywhere = ['bring back', 'another viewer', 'scroll', 'restore'].includes(step.what);

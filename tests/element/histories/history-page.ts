@@ -68,7 +68,7 @@ function installWalk(): void {
     }
   };
   const loaded = () => performance.getEntriesByType('resource').length;
-  async function rests(): Promise<string> {
+  async function rests() {
     await Promise.all(deeds.pending.splice(0));
     for (let round = 0; round < 5; round++) {
       const before = loaded();
@@ -82,7 +82,7 @@ function installWalk(): void {
     }
     return `still busy: ${watch.happened.join()}`;
   }
-  async function settle(): Promise<string> {
+  async function settle() {
     if (watch.lost) {
       await watch.restore();
     }
@@ -114,7 +114,7 @@ function installWalk(): void {
         ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`,
       );
   };
-  async function rest(): Promise<Rest[]> {
+  async function rest() {
     const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before `toBlob` draws
     const rests: Rest[] = [];
     for (const { viewer, seen } of all) {
@@ -149,9 +149,7 @@ function installWalk(): void {
     return rests;
   }
 
-  async function begin(
-    rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[],
-  ): Promise<Began[]> {
+  async function begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]) {
     await customElements.whenDefined('phong-viewer');
     // Old viewers are removed at the end, so that the context and its programs stay.
     const before = viewers();

@@ -139,7 +139,7 @@ type Tag = Step['tag'];
 const property = (attribute: string) =>
   attribute.replace(/-([a-z])/g, (_, letter: string) => letter.toUpperCase());
 
-function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): string {
+function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number) {
   const attributes = Object.entries(VALUES[tag])
     .filter(
       ([key]) =>

@@ -149,7 +149,7 @@ export function installTrees(): void {
    * The children that belong to a viewer by the contract: all inside, except in its slots and in
    * other viewers.
    */
-  function belonging(viewer: PhongViewer): Element[] {
+  function belonging(viewer: PhongViewer) {
     const found: Element[] = [];
     const visit = (parent: Parent): void => {
       for (const child of parent.children) {
@@ -172,7 +172,7 @@ export function installTrees(): void {
     visit(viewer);
     return found;
   }
-  function notFinite(element: Element): string[] {
+  function notFinite(element: Element) {
     const { observedAttributes } = element.constructor as unknown as {
       observedAttributes: readonly string[];
     };
@@ -182,7 +182,7 @@ export function installTrees(): void {
       return [value].flat().some((one) => typeof one === 'number' && !Number.isFinite(one));
     });
   }
-  function faults(): string[] {
+  function faults() {
     const found: string[] = [];
     for (const viewer of viewers()) {
       const wanted = belonging(viewer);

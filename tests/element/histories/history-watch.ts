@@ -125,13 +125,13 @@ export function installWatch(): void {
   } as typeof realContext;
   /** Context events arrive in tasks of their own. */
   const soon = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 20));
-  async function lose(): Promise<void> {
+  async function lose() {
     if (lost !== null || context === null || context.isContextLost()) return;
     lost = context.getExtension('WEBGL_lose_context');
     lost?.loseContext();
     await soon();
   }
-  async function restore(): Promise<void> {
+  async function restore() {
     lost?.restoreContext();
     lost = null;
     await soon();
@@ -144,7 +144,7 @@ export function installWatch(): void {
   /** Camera moved by the user. */
   const handled = new WeakSet();
   const canvasOf = (viewer: PhongViewer) => viewer.shadowRoot?.querySelector('canvas') ?? null;
-  function copied(source: CanvasImageSource, width: number, height: number): OffscreenCanvas {
+  function copied(source: CanvasImageSource, width: number, height: number) {
     const canvas = new OffscreenCanvas(width, height);
     // Read once and dropped, hundreds of them in a release run: the browser would advise so.
     canvas.getContext('2d', { willReadFrequently: true })!.drawImage(source, 0, 0);
@@ -180,7 +180,7 @@ export function installWatch(): void {
     }
   });
 
-  function dataOf(canvas: OffscreenCanvas): string {
+  function dataOf(canvas: OffscreenCanvas) {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
     let text = '';
     for (let i = 0; i < data.length; i += 4096) {

@@ -1,7 +1,7 @@
 // Plays a random history on a page and compares the page, at each look, with a new page of the same
 // scene. A failing history is reduced: tasks and steps are left out as long as it still fails.
 
-import { expect, type Frame, type Locator, type Page } from '@playwright/test';
+import { expect, type Frame, type Page } from '@playwright/test';
 import { betweenPrograms, DifferenceSum } from '../../visual/between-programs.js';
 import { type Mount, type Picture, setPixelRatio } from '../../support/test.js';
 import { type ConsoleGuard, isRemark } from '../../support/console-guard.js';
@@ -223,7 +223,7 @@ function pictureOf({ width, height, data }: Drawn): Picture {
 }
 
 const ratios = new WeakMap<Page, number>();
-async function setPixelRatioOnce(page: Page, ratio: number): Promise<void> {
+async function setPixelRatioOnce(page: Page, ratio: number) {
   if ((ratios.get(page) ?? 1) === ratio) return;
   ratios.set(page, ratio);
   await setPixelRatio(page, ratio);
@@ -248,7 +248,7 @@ const OUTSIDE: Readonly<Record<string, (page: Page, step: Step) => Promise<void>
   ratio: (page, { value }) => setPixelRatioOnce(page, Number(value)),
 };
 
-const viewerOf = async (page: Page, { viewer }: Step): Promise<Locator | null> => {
+const viewerOf = async (page: Page, { viewer }: Step) => {
   const all = page.locator('phong-viewer');
   const count = await all.count();
   return count === 0 ? null : all.nth(viewer % count);
@@ -259,7 +259,7 @@ async function middleOf(page: Page, step: Step): Promise<[number, number]> {
   return box ? [box.x + box.width / 2, box.y + box.height / 2] : [-1, -1];
 }
 
-async function over(page: Page, step: Step): Promise<boolean> {
+async function over(page: Page, step: Step) {
   const [x, y] = await middleOf(page, step);
   const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
   if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;

@@ -41,7 +41,7 @@ const intoFrame = (page: Page) =>
   });
 
 /** How many pixels on the screen are dark in what the viewer covers. */
-async function inkOn(page: Page, viewer: ViewerLocator): Promise<number> {
+async function inkOn(page: Page, viewer: ViewerLocator) {
   const { data } = decodePng(await page.screenshot({ clip: (await viewer.boundingBox())! }));
   let ink = 0;
   for (let i = 0; i < data.length; i += 4) {

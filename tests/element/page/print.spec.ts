@@ -75,7 +75,7 @@ test('prints CSS backgrounds on every page, and round shapes round on narrow pap
  * shown, and the colours of the texts. `classNames`: of the body, one after the other in one task.
  * No script of the page runs, as when paper is laid out.
  */
-function marksOverPictures(classNames: readonly string[]): { places: number[]; inks: string[] }[] {
+function marksOverPictures(classNames: readonly string[]) {
   return classNames.map((className) => {
     const places: number[] = [];
     const inks = new Set<string>();
@@ -133,7 +133,7 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
  * Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser
  * has one.
  */
-async function readPdf(pdf: Buffer): Promise<Page> {
+async function readPdf(pdf: Buffer) {
   const executablePath = await findBrowser();
   const own = executablePath === undefined ? {} : { executablePath };
   launched ??= await chromium.launch({ ...own, args: softwareGl });
@@ -156,7 +156,7 @@ async function readPdf(pdf: Buffer): Promise<Page> {
  * Prints the page. Returns width over height of each of the `count` red shapes on paper, from the
  * top.
  */
-async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
+async function redShapesOnPaper(page: Page, count: number) {
   const reader = await readPdf(await page.pdf({ printBackground: true, preferCSSPageSize: true }));
   let shapes: number[] = [];
   const found = async () => {
@@ -168,7 +168,7 @@ async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
   return shapes;
 }
 
-function redShapes({ width, height, data }: Picture): number[] {
+function redShapes({ width, height, data }: Picture) {
   const isRed = (at: number) => data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
   const widths = Array.from({ length: height }, (_, y) => {
     let count = 0;

@@ -1,13 +1,13 @@
 // Does the first screen prove what it says? The sum under the picture is that of the pixel, its
 // digits add up, and picture and markup move each other.
 import { countJumps, jumpsOf } from '../../support/jumps.js';
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { type ViewerLocator, allReady, expect, pixelAt, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
 import type { PhongViewer } from '../support/viewer.js';
 import { assign } from '../support/viewer.js';
 
-async function open(page: Page): Promise<Locator> {
+async function open(page: Page) {
   await page.setViewportSize({ width: 1280, height: 800 });
   await page.goto('/demo/');
   await allReady(page);

@@ -63,7 +63,7 @@ const REPORTS =
   /violates the following Content Security Policy directive|CSP report: (script|style|base)-/;
 
 /** Descriptions of everything that must not happen. */
-async function harm(page: Page): Promise<string[]> {
+async function harm(page: Page) {
   return page.evaluate(() => {
     const found: string[] = [];
     if ('hacked' in window) {
@@ -107,7 +107,7 @@ async function harm(page: Page): Promise<string[]> {
  * On a new page in a release run; otherwise the open playground follows the changed address, as it
  * does for a link in a message.
  */
-async function openLink(page: Page, link: string): Promise<void> {
+async function openLink(page: Page, link: string) {
   if (RELEASE) {
     await page.goto('about:blank');
   }

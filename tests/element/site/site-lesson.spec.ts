@@ -1,7 +1,7 @@
 // Do the figures of the guide's pages about light, and about helpers, views, probe and comparisons,
 // behave as their captions say?
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
 import { allReady, expect, test } from '../../support/test.js';
 import { takeNoSamples } from '../../support/site-pages.js';
@@ -9,19 +9,19 @@ import type { PhongViewer } from '../support/viewer.js';
 
 test.beforeEach(({ page }) => takeNoSamples(page));
 
-async function open(page: Page, path: string): Promise<void> {
+async function open(page: Page, path: string) {
   await page.goto(`/demo/${path}`);
   await allReady(page);
 }
 
-async function figure(page: Page, id: string): Promise<Locator> {
+async function figure(page: Page, id: string) {
   const found = page.locator(`#${id}`);
   await found.scrollIntoViewIfNeeded();
   return found;
 }
 
 /** Every figure of the open page is on paper, within its width. */
-async function expectPrinted(page: Page): Promise<void> {
+async function expectPrinted(page: Page) {
   await page.emulateMedia({ media: 'print' });
   const wide = await page.evaluate(() =>
     Array.from(document.querySelectorAll('phong-compare, figure > phong-viewer'), (picture) => {

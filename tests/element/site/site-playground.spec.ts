@@ -1,6 +1,6 @@
 // Do markup, picture and address of the playground always agree? Served under the strict policy.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { linkTo } from '../../support/site-pages.js';
 import { drag, type PhongViewer, htmlOf } from '../support/viewer.js';
@@ -16,7 +16,7 @@ const editorOf = (page: Page) => page.getByRole('textbox', { name: 'Markup of th
 const textOf = async (page: Page) =>
   (await editorOf(page).locator('.cm-line').allTextContents()).join('\n');
 
-async function open(page: Page, scene = SCENE): Promise<Locator> {
+async function open(page: Page, scene = SCENE) {
   await page.goto('about:blank');
   await page.goto(`/demo/${linkTo(scene)}`);
   await allReady(page);
@@ -24,14 +24,14 @@ async function open(page: Page, scene = SCENE): Promise<Locator> {
   return page.locator('phong-viewer');
 }
 
-async function rewrite(page: Page, text: string): Promise<void> {
+async function rewrite(page: Page, text: string) {
   await editorOf(page).click();
   await page.keyboard.press('ControlOrMeta+a');
   await page.keyboard.insertText(text);
 }
 
 /** What another page shows at this address. */
-async function htmlAt(page: Page, address: string): Promise<string> {
+async function htmlAt(page: Page, address: string) {
   const other = await page.context().newPage();
   await other.goto(address);
   await allReady(other);

@@ -37,14 +37,14 @@ test.beforeEach(({ page }) => takeNoSamples(page));
 
 const PHONE = { width: 390, height: 844 };
 
-async function open(page: Page, path: string): Promise<void> {
+async function open(page: Page, path: string) {
   await page.goto(`/demo/${path}`);
   await allReady(page);
 }
 
 const contentOf = (page: Page, selector: string) => page.locator(selector).getAttribute('content');
 
-async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> {
+async function expectFitAndAccessible(page: Page, dark: boolean) {
   const tooWide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect.soft(tooWide, 'pixels beside the screen').toBeLessThanOrEqual(0);
   const links = await page.locator('.head a').evaluateAll((all) =>
@@ -68,7 +68,7 @@ async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> 
   }
 }
 
-async function expectHead(page: Page, request: APIRequestContext): Promise<void> {
+async function expectHead(page: Page, request: APIRequestContext) {
   const policy = await contentOf(page, 'meta[http-equiv="Content-Security-Policy"]');
   for (const rule of strictPolicy.split('; ')) {
     expect.soft(policy).toContain(rule);
@@ -94,7 +94,7 @@ async function expectHead(page: Page, request: APIRequestContext): Promise<void>
  */
 const fetched = new Map<string, string>();
 
-async function brokenLinks(page: Page, request: APIRequestContext): Promise<string[]> {
+async function brokenLinks(page: Page, request: APIRequestContext) {
   const links = await page
     .locator('a[href]')
     .evaluateAll((all) =>

@@ -187,7 +187,7 @@ function wrapGl(limits: Limits): void {
     }
   });
 
-  function isSpecialisedText(text = ''): boolean {
+  function isSpecialisedText(text = '') {
     return /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text);
   }
 

@@ -180,12 +180,12 @@ export class Fingers {
     return new Fingers(await page.context().newCDPSession(page));
   }
 
-  down = (...places: readonly Place[]): Promise<void> => this.#send('touchStart', places);
-  move = (...places: readonly Place[]): Promise<void> => this.#send('touchMove', places);
-  up = (): Promise<void> => this.#send('touchEnd', []);
+  down = (...places: readonly Place[]) => this.#send('touchStart', places);
+  move = (...places: readonly Place[]) => this.#send('touchMove', places);
+  up = () => this.#send('touchEnd', []);
 
   /** Lifts one finger, counted from 0, from where it is; the others stay. */
-  lift = (id: number, place: Place): Promise<void> => this.#send('touchEnd', [place], id);
+  lift = (id: number, place: Place) => this.#send('touchEnd', [place], id);
 
   async #send(
     type: 'touchStart' | 'touchMove' | 'touchEnd',

@@ -51,7 +51,7 @@ const isReplaced = (text: string) => /^\[.*\]\.?$/s.test(text);
 const described = (viewer: ViewerLocator) =>
   expect.poll(async () => (await textsIn(viewer)).join()).toContain('[Camera: ');
 
-async function openAll(viewer: ViewerLocator): Promise<void> {
+async function openAll(viewer: ViewerLocator) {
   const closed = viewer.locator('.lil-title[aria-expanded=false]');
   while ((await closed.filter({ visible: true }).count()) > 0) {
     await closed.filter({ visible: true }).first().click();

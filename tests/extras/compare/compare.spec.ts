@@ -36,7 +36,7 @@ const comparison = (attributes = '', inner = two) =>
 const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
 
 /** Mounts a page with a comparison. Resolves when its viewers have drawn. */
-async function compared(page: Page, mount: Mount, markup: string, more = ''): Promise<Locator> {
+async function compared(page: Page, mount: Mount, markup: string, more = '') {
   await mount(markup, { css: css + more, waitForReady: false });
   const compare = page.locator('phong-compare').first();
   await expect(compare.locator('.box')).toBeAttached();

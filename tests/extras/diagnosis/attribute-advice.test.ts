@@ -22,7 +22,7 @@ const global = (
 ).split(' ');
 
 /** All words one edit away: a letter removed, replaced or added, or two letters swapped. */
-function misspelled(word: string): string[] {
+function misspelled(word: string) {
   const words: string[] = [];
   for (let i = 0; i <= word.length; i++) {
     const [before, after] = [word.slice(0, i), word.slice(i)];

@@ -14,7 +14,7 @@ const light = (attributes: string) => `<phong-light ${attributes}></phong-light>
 const mesh = (attributes: string) => `<phong-mesh ${attributes}></phong-mesh>`;
 
 /** Waits until what could be reported so far has been. */
-async function reported(page: Page, warnings: readonly string[], count: number): Promise<string[]> {
+async function reported(page: Page, warnings: readonly string[], count: number) {
   await expect.poll(() => warnings.length).toBeGreaterThanOrEqual(count);
   await nextFrame(page);
   await nextFrame(page);

@@ -20,7 +20,7 @@ const NO_CLAMP = WRONG_ONES['no-clamp']!['plain dot']!;
 const textArea = (page: Page) => page.locator('phong-exercise').first().getByRole('textbox');
 const verdict = (page: Page) => page.locator('[part=verdict]').first();
 
-async function runFirst(page: Page, name = 'Run'): Promise<void> {
+async function runFirst(page: Page, name = 'Run') {
   await page.getByRole('button', { name, exact: true }).first().click();
   await expect(verdict(page).locator('strong')).toBeVisible({ timeout: 30_000 });
 }

@@ -43,7 +43,7 @@ const checkOf = (exercise: Locator, source: string) =>
 const mountOne = async (
   page: Page,
   mount: (markup: string, options: { css: string }) => Promise<Locator>,
-): Promise<Locator> => {
+) => {
   await mount(markup, { css });
   const one = page.locator('phong-exercise');
   await expect(one.getByRole('button', { name: 'Run' })).toBeVisible();

@@ -84,7 +84,7 @@ vec3 shade(Light lamp, Material mat, vec3 pos, vec3 n, vec3 camera) {
   return decay * color;
 }`;
 
-function replaced(source: string, from: string, to: string): string {
+function replaced(source: string, from: string, to: string) {
   if (!source.includes(from)) throw new Error(`not in the function: ${from}`);
   return source.replaceAll(from, to);
 }

@@ -59,7 +59,7 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 }
 
 /** From 3 away, along −z. */
-function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
+function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })) {
   const view = new Frame(orbit);
   view.update(45, { width: SIZE, height: SIZE });
   view.aim(scene, { center: [0, 0, 0], radius: 2 });

@@ -232,7 +232,7 @@ const MIRRORED = { wrapS: 10497, wrapT: 33648 };
 const CLAMPED = { wrapS: 33071, wrapT: 10497 };
 
 /** A square with a texture of 2 × 2 texels, one of them half transparent, as a data: address. */
-function texturedModel(magFilter: number, wrap: typeof MIRRORED, alphaMode: string): string {
+function texturedModel(magFilter: number, wrap: typeof MIRRORED, alphaMode: string) {
   const file = new URL('../../fixtures/models/data-uris.gltf', import.meta.url);
   const document = JSON.parse(readFileSync(file, 'utf8')) as Record<string, unknown>;
   document['samplers'] = [{ magFilter, minFilter: magFilter, ...wrap }];
@@ -260,7 +260,7 @@ const model = (src: string, interpolation = 'srgb') =>
  * How far a blended pixel is off, in units of what it can say: 8 bits are multiplied by alpha,
  * rounded, divided and rounded again. Alpha itself is off by no more than a code.
  */
-function blendedError({ drawn, explained, opacity }: Compared): number {
+function blendedError({ drawn, explained, opacity }: Compared) {
   const alpha = drawn[3]!;
   const off = Math.max(
     ...[0, 1, 2].map((channel) => Math.abs(explained[channel]! - drawn[channel]!)),

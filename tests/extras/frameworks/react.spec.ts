@@ -78,12 +78,7 @@ const renderedByClient = () =>
     { whole: true, define: { 'process.env.NODE_ENV': '"development"' } },
   ));
 
-async function show(
-  page: Page,
-  site: Site,
-  consoleGuard: ConsoleGuard,
-  markup: string,
-): Promise<void> {
+async function show(page: Page, site: Site, consoleGuard: ConsoleGuard, markup: string) {
   consoleGuard.allow(/^info: .*React DevTools/);
   const body = await renderedByClient();
   await page.route('**/app.js', (route) => route.fulfill({ contentType: 'text/javascript', body }));

@@ -40,7 +40,7 @@ const cases = JSON.parse(
 ) as readonly Case[];
 
 /** What differs from the case's checks, in words. Runs in the page. */
-async function differences({ file, event, attributes = {}, checks }: Case): Promise<string[]> {
+async function differences({ file, event, attributes = {}, checks }: Case) {
   const size = 200;
   const found: string[] = [];
   const viewer = document.createElement('phong-viewer');

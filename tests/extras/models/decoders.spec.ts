@@ -3,7 +3,7 @@
 // The worker ends after an abort or an idle time. The tests' server allows its files no
 // WebAssembly; `shown` mounts from one that does.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
 import {
   type ViewerLocator,
@@ -29,7 +29,7 @@ const allowing = await startSite(testMounts, wasmPolicy);
 test.afterAll(() => allowing.close());
 
 /** Mounts where WebAssembly is allowed, in workers too. */
-async function shown(page: Page, markup: string): Promise<Locator> {
+async function shown(page: Page, markup: string) {
   const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
   await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));

@@ -21,7 +21,7 @@ let responses: ServerResponse[] = [];
 let unpacked = 0;
 
 /** Endless zeros, compressed to about a thousandth. */
-async function bomb(response: ServerResponse): Promise<void> {
+async function bomb(response: ServerResponse) {
   response.writeHead(200, { 'content-encoding': 'gzip' });
   const closed = once(response, 'close');
   const gzip = createGzip();
@@ -66,7 +66,7 @@ afterEach(() => {
 const { signal: never } = new AbortController();
 
 /** Requests `path`; gives what it ends with, and the bytes so far. */
-function download(path: string, signal = never): { ended: Promise<unknown>; loaded: () => number } {
+function download(path: string, signal = never) {
   const onProgress = vi.fn((loaded: number) => loaded);
   const fetchBytes = byteFetcher({ ...loadWith(signal), onProgress }, new ModelBudget());
   const ended = fetchBytes(new URL(path, origin), 'follow').catch((error: unknown) => error);

@@ -15,7 +15,7 @@ const encoder = new TextEncoder();
 function grid(
   vertex: (i: number, x: number, y: number) => string,
   face: (a: number, b: number) => string,
-): string {
+) {
   let text = '';
   for (let i = 0; i < 16; i += 1) {
     text += vertex(i, i % 4, Math.floor(i / 4));
@@ -49,7 +49,7 @@ const stlText =
   ) +
   'endsolid x\n';
 
-function stlBinary(): Uint8Array<ArrayBuffer> {
+function stlBinary() {
   const bytes = new Uint8Array(84 + 50 * 6);
   bytes.set(encoder.encode('COLOR=abcd'));
   bytes[80] = 6;
@@ -59,7 +59,7 @@ function stlBinary(): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-function plyBinary(big: boolean): Uint8Array<ArrayBuffer> {
+function plyBinary(big: boolean) {
   const head = encoder.encode(
     `ply\nformat binary_${big ? 'big' : 'little'}_endian 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n`,
   );
@@ -88,7 +88,7 @@ const SOUND: readonly (readonly [damaged: string, Files])[] = [
 ];
 
 /** Accepts a consistent model or a ModelError, nothing else. */
-async function requireOutcome(files: Files): Promise<void> {
+async function requireOutcome(files: Files) {
   const result: unknown = await loadFiles(files).catch((error: unknown) => error);
   if (result instanceof ModelError) {
     expect(result.message.length).toBeLessThan(600);
@@ -119,10 +119,7 @@ const change: fc.Arbitrary<Change> = fc.tuple(
   fc.oneof(fc.constantFrom(0, 10, 13, 32, 45, 46, 47, 48, 57, 92, 101, 127, 128, 255), fc.nat(255)),
 );
 
-function changed(
-  bytes: Uint8Array<ArrayBuffer>,
-  changes: readonly Change[],
-): Uint8Array<ArrayBuffer> {
+function changed(bytes: Uint8Array<ArrayBuffer>, changes: readonly Change[]) {
   let list = Array.from(bytes);
   for (const [kind, share, value] of changes) {
     const at = Math.min(Math.floor(share * list.length), list.length - 1);

@@ -39,11 +39,7 @@ function expectNear(color: readonly number[], wanted: readonly number[], toleran
 }
 
 /** The contents of fixtures as files, in the page. */
-async function filesIn(
-  page: Page,
-  names: readonly string[],
-  as: readonly string[] = names,
-): Promise<void> {
+async function filesIn(page: Page, names: readonly string[], as: readonly string[] = names) {
   await page.evaluate(
     async ([paths, given]) => {
       const files = paths.map(async (path, i) => {
@@ -76,7 +72,7 @@ const dropFiles = (viewer: ViewerLocator) =>
   });
 
 /** Drops files and folders of this disk, as a user does. */
-async function dropPaths(page: Page, paths: readonly string[]): Promise<void> {
+async function dropPaths(page: Page, paths: readonly string[]) {
   const session = await page.context().newCDPSession(page);
   const data = { items: [], files: [...paths], dragOperationsMask: 1 };
   for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
@@ -95,7 +91,7 @@ interface Outcome {
 }
 
 /** The load or error event that `act` causes. */
-async function outcomeOf(viewer: ViewerLocator, act: () => Promise<unknown>): Promise<Outcome> {
+async function outcomeOf(viewer: ViewerLocator, act: () => Promise<unknown>) {
   const events = await record(viewer, 'load', 'error');
   await act();
   const heard: Outcome[] = [];

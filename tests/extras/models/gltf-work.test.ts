@@ -14,7 +14,7 @@ const pauses = countedPauses();
 const MANY = 2 ** 13;
 
 /** Pauses of a load of the triangle with this in its document, readable or not. */
-async function pausesWith(more: Json): Promise<number> {
+async function pausesWith(more: Json) {
   const file = new Uint8Array(triangleGlb(more));
   await loadFiles({ 'a.glb': file }).catch(() => undefined);
   return pauses.count;

@@ -22,7 +22,7 @@ declare global {
 }
 
 /** To be called before the page is mounted. */
-async function slowDown(page: Page, sizeIsKnown = true): Promise<void> {
+async function slowDown(page: Page, sizeIsKnown = true) {
   await page.addInitScript((known) => {
     const timers = new Map<number, () => void>();
     const send: (() => void)[] = [];
@@ -70,11 +70,11 @@ const delayOver = (page: Page) =>
       run();
     }
   });
-const sendNext = async (page: Page): Promise<void> => {
+const sendNext = async (page: Page) => {
   await page.waitForFunction(() => window.loads.send.length > 0);
   await page.evaluate(() => window.loads.send.shift()?.());
 };
-const sendAll = async (page: Page, viewer: ViewerLocator): Promise<void> => {
+const sendAll = async (page: Page, viewer: ViewerLocator) => {
   await sendNext(page);
   await sendNext(page);
   await settled(viewer);
@@ -89,7 +89,7 @@ async function mountSlow(
   const markup = `<phong-viewer alt="A model" src="${slow}" ${attributes}>${inner}</phong-viewer>`;
   return mount(markup, { width, height, css, waitForReady: false });
 }
-const axeViolations = async (page: Page): Promise<string[]> => {
+const axeViolations = async (page: Page) => {
   const { violations } = await axeOn(page).include('phong-viewer').analyze();
   return violations.map(({ id }) => id);
 };

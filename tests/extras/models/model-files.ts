@@ -21,7 +21,7 @@ export const BREAKS_OFF = null;
 
 export type FileContent = string | Uint8Array<ArrayBuffer> | null;
 
-function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream {
+function bytesOf(content: FileContent) {
   if (content !== BREAKS_OFF) {
     return typeof content === 'string' ? new TextEncoder().encode(content) : content;
   }

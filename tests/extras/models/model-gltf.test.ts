@@ -17,11 +17,7 @@ const UBYTE = 5121;
 const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
 /** A document whose buffer views are the given arrays, one each, end to end. */
-function gltf(
-  blobs: readonly ArrayBufferView[],
-  accessors: readonly Json[],
-  more: Json,
-): Promise<Content> {
+function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], more: Json) {
   const { bufferViews, buffers, body } = viewsOf(
     blobs.map(
       ({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength),
@@ -259,11 +255,7 @@ const list = (
 });
 
 /** A triangle at these instances of a node, which has a transform of its own. */
-function instanced(
-  lists: readonly ReturnType<typeof list>[],
-  more: Json = {},
-  node: Json = {},
-): Promise<Content> {
+function instanced(lists: readonly ReturnType<typeof list>[], more: Json = {}, node: Json = {}) {
   const attributes = Object.fromEntries(lists.map(({ name }, i) => [name, i + 1]));
   return gltf(
     [triangle, ...lists.map(({ values }) => values)],
@@ -429,11 +421,7 @@ describe('hidden nodes', () => {
 });
 
 /** A triangle whose corners follow these joints, the first one each if there are fewer. */
-function skinned(
-  joints: readonly Json[],
-  more: Json = {},
-  blobs: readonly Float32Array[] = [],
-): Promise<Content> {
+function skinned(joints: readonly Json[], more: Json = {}, blobs: readonly Float32Array[] = []) {
   const of = (corner: number) => Math.min(corner, joints.length - 1);
   const indices = new Uint8Array([0, 1, 2].flatMap((corner) => [of(corner), 0, 0, 0]));
   return gltf(
@@ -468,7 +456,7 @@ function skinned(
 }
 
 /** z of the cross product of a part's first triangle: positive if it faces +z. */
-function facing(model: Content): number {
+function facing(model: Content) {
   const positions = numbersOf(model, 'position');
   const order = indexOf(model);
   const [a = 0, b = 1, c = 2] = order.length > 0 ? order : [0, 1, 2];

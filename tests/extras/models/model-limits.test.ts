@@ -13,7 +13,7 @@ import { bar } from '../../support/animated-gltf.js';
 import { floats, glbOf, jpegWith, type Json, openGlb, pngWith, viewsOf } from '../../fuzz/glb.js';
 import * as hostile from '../../fuzz/models.js';
 
-const load = (file: Buffer | Blob): Promise<Content> => {
+const load = (file: Buffer | Blob) => {
   if (file instanceof Blob) return modelContent(new URL('file:///a'), OPTIONS, file);
   return modelContent(new URL(`data:model/gltf-binary;base64,${file.toString('base64')}`), OPTIONS);
 };
@@ -24,7 +24,7 @@ const NATIVE = Float32Array;
  * The error's code and message, or what was loaded. Fails where more floats are allocated than a
  * model may have.
  */
-async function outcome(file: Buffer | Blob): Promise<string> {
+async function outcome(file: Buffer | Blob) {
   let allocated = 0;
   const construct = (target: Float32ArrayConstructor, args: [number]) => {
     if (typeof args[0] === 'number') {

@@ -22,7 +22,7 @@ import {
 const warnings = heardWarnings();
 
 /** A triangle with texture coordinates, its buffer inside; `parts` replace the document's own. */
-function gltf(parts: Json): string {
+function gltf(parts: Json) {
   const { bufferViews, body } = viewsOf([
     floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
     floats(0, 0, 1, 0, 0, 1),
@@ -185,9 +185,7 @@ describe('the factors of a map whose image is missing', () => {
 
 describe('files from the user’s disk', () => {
   /** The first file, with the others beside it. */
-  async function dropped(
-    files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>,
-  ): Promise<Content> {
+  async function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>) {
     const group = Object.entries(files).map(([path, content]) => new File([content], path));
     const model = (await droppedModel([], group)) as File;
     return modelContent(new URL(model.name, 'file:///'), OPTIONS, model);

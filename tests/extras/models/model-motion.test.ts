@@ -24,7 +24,7 @@ beforeAll(() => {
 });
 
 /** Vertices in the model's space, in float64, as three.js computes them. */
-async function expected(document: object, clip: number, seconds: number): Promise<number[]> {
+async function expected(document: object, clip: number, seconds: number) {
   const { scene, animations } = await new GLTFLoader().parseAsync(JSON.stringify(document), '');
   const mixer = new AnimationMixer(scene);
   const animation = clip < 0 ? undefined : animations.at(clip);
@@ -47,7 +47,7 @@ async function expected(document: object, clip: number, seconds: number): Promis
   return found;
 }
 
-function places({ parts }: Content): number[] {
+function places({ parts }: Content) {
   return parts.flatMap(({ geometry, matrix }) => {
     const position = geometry.getAttribute('position');
     const at = (_: unknown, i: number) =>

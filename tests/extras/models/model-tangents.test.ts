@@ -37,13 +37,11 @@ const unit = fc
     fc.double({ min: 0, max: 6.28, noNaN: true }),
     fc.double({ min: -0.99, max: 0.99, noNaN: true }),
   )
-  .map(([angle, z]): Vec3 =>
-    normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]),
-  );
+  .map(([angle, z]) => normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]));
 
 const CORNERS = [[0, 0], [1, 0], [0, 1], [1, 1]] as const; // oxfmt-ignore
 
-const quad = (N: Vec3, alongU: Vec3, alongV: Vec3): BufferGeometry => {
+const quad = (N: Vec3, alongU: Vec3, alongV: Vec3) => {
   const geometry = new BufferGeometry().setIndex([0, 1, 2, 2, 1, 3]);
   const set = (name: string, of: (u: number, v: number) => readonly number[]) => {
     const values = CORNERS.flatMap(([u, v]) => of(u, v));

@@ -19,13 +19,13 @@ const FOLDERS: Readonly<Record<string, string>> = {
   fixtures: '../../fixtures/models/',
   assets: '../../../demo/assets/models/',
 };
-const fileOf = (path: string): URL => {
+const fileOf = (path: string) => {
   const [, folder = '', ...rest] = path.split('/');
   return new URL(`${FOLDERS[folder] ?? 'nowhere/'}${rest.join('/')}`, import.meta.url);
 };
 
 /** Answers as a server with these folders does. */
-function answer({ href }: URL): Response {
+function answer({ href }: URL) {
   const path = decodeURIComponent(href.replace(ORIGIN, ''));
   requests.push(path);
   if (path === '/no-answer.glb') throw new TypeError('fetch failed');
@@ -72,7 +72,7 @@ const load = (path: string, options: Partial<ReadOptions> = {}) =>
 const values = (geometry: BufferGeometry, name: string) =>
   Array.from(geometry.getAttribute(name).array);
 
-function onlyPart(model: Content): Content['parts'][number] {
+function onlyPart(model: Content) {
   expect(model.parts).toHaveLength(1);
   return model.parts[0]!;
 }

@@ -40,7 +40,7 @@ const TWO_TRIANGLES = [0, 1, 2, 0, 2, 3];
  * The same square with normals, byte colours and a scalar before them, in a byte order and with
  * these line ends.
  */
-function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
+function binary(little: boolean, lineEnd: string) {
   const text = [
     'ply',
     `format binary_${little ? 'little' : 'big'}_endian 1.0`,

@@ -13,11 +13,7 @@ interface Facet {
 }
 
 /** A binary file; its stated normals are all wrong. */
-function binary(
-  facets: readonly Facet[],
-  header = '',
-  claimed = facets.length,
-): Uint8Array<ArrayBuffer> {
+function binary(facets: readonly Facet[], header = '', claimed = facets.length) {
   const bytes = new Uint8Array(84 + 50 * facets.length);
   bytes.set(Uint8Array.from(header, (c) => c.charCodeAt(0)));
   const view = new DataView(bytes.buffer);
@@ -30,7 +26,7 @@ function binary(
   return bytes;
 }
 
-async function fails(content: FileContent, message: RegExp): Promise<void> {
+async function fails(content: FileContent, message: RegExp) {
   const error = await failureOf({ 'a.stl': content });
   expect(error.code).toBe('bad-model');
   expect(error.message).toMatch(message);

@@ -97,7 +97,7 @@ describe('a light that is moved', () => {
 });
 
 const from = new Projection(sight);
-const edgeOf = (aperture: number): Vec3 => {
+const edgeOf = (aperture: number) => {
   const light = values({ position: [0.2, 2, 0.1, 1], axis: [0, -1, 0], aperture });
   const { handles } = lightMarks(light, from, scene, false, 2.5);
   return handles.find(({ part }) => part === 'aperture')!.place;

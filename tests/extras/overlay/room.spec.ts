@@ -36,7 +36,7 @@ const meet = (a: Rect, b: Rect) =>
 const EACH_WIDTH = Array.from({ length: 87 }, (_, i) => 140 + 10 * i);
 
 /** Two frames: layout is observed in the first, and followed in the second. */
-async function laidOut(page: Page): Promise<void> {
+async function laidOut(page: Page) {
   await nextFrame(page);
   await nextFrame(page);
 }

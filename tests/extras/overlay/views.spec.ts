@@ -34,7 +34,7 @@ const scene = (attributes: string) =>
 const legendOf = (viewer: ViewerLocator) => viewer.locator('.legend');
 
 /** Title and lights of the legend, and the marks of its scale. */
-const legendText = async (viewer: ViewerLocator): Promise<string[]> => {
+const legendText = async (viewer: ViewerLocator) => {
   const legend = legendOf(viewer);
   const texts = await legend.locator('p:not(:empty), .legend-marks').allTextContents();
   return texts.map((text) => text.trim());

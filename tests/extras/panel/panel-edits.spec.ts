@@ -41,7 +41,7 @@ const lamp = (viewer: ViewerLocator): Promise<Pick<PhongLight, 'diffuse' | 'posi
     return { diffuse, position, name };
   });
 
-async function dragAcross(page: Page, control: Locator, pixels: number): Promise<void> {
+async function dragAcross(page: Page, control: Locator, pixels: number) {
   await control.scrollIntoViewIfNeeded();
   const { x, y, width } = (await control.boundingBox())!;
   await page.mouse.move(x + width / 2, y + 8);

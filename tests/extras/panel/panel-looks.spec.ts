@@ -14,7 +14,7 @@ const scene = `<phong-viewer alt="A scene" geometry="box" gui>
   <phong-mesh name="ball" geometry="sphere"></phong-mesh></phong-viewer>`;
 
 /** Opens every folder, so that all rows are shown. */
-async function openAll(viewer: Locator): Promise<void> {
+async function openAll(viewer: Locator) {
   const folders = ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'];
   for (const title of folders) {
     await opened(viewer, title);
@@ -59,7 +59,7 @@ for (const [scheme, width, height] of [
 }
 
 /** Texts and numbers fit into their boxes, and scrolling the panel shows each of them whole. */
-async function expectNothingCut(viewer: Locator): Promise<void> {
+async function expectNothingCut(viewer: Locator) {
   const cut = await listOf(viewer).evaluate((list) => {
     const found: string[] = [];
     const { left, right, top, bottom } = list.getBoundingClientRect();

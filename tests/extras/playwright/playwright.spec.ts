@@ -19,7 +19,7 @@ const LIGHTS = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 
 const CLOSE = `<phong-viewer geometry="box" radius="1.3">${LIGHTS}</phong-viewer>`;
 
 /** The matcher's message for a picture that it refuses. */
-async function refusal(viewer: ViewerLocator, options: object = {}): Promise<string> {
+async function refusal(viewer: ViewerLocator, options: object = {}) {
   try {
     await expect(viewer).toShowTheEquation(options);
   } catch (error) {

@@ -11,7 +11,7 @@ import { htmlOf, settled } from '../../element/support/viewer.js';
 const plain = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
 const holding = (markup: string): Uint8Array => withMarkup(plain.slice(), markup);
 
-async function drop(target: Locator, bytes: Uint8Array, name = 'scene.png'): Promise<void> {
+async function drop(target: Locator, bytes: Uint8Array, name = 'scene.png') {
   const transfer = await target.evaluateHandle(
     (_element, [content, title]) => {
       const data = new DataTransfer();

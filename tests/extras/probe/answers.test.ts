@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { type Equation, equationsOf, givenOf } from '../../../src/extras/probe/equations.js';
+import { equationsOf, givenOf } from '../../../src/extras/probe/equations.js';
 import { judge, questionOf, typedNumber } from '../../../src/extras/probe/answers.js';
 import { isLeftOut } from '../../../src/phong/mistakes/slips.js';
 import { TERMS } from '../../../src/phong/light/light-state.js';
@@ -21,7 +21,7 @@ interface Given {
 }
 
 /** The equations at the origin of a floor. */
-function asked({ lights, surface, linear = false, halfway = false }: Given): Equation[] {
+function asked({ lights, surface, linear = false, halfway = false }: Given) {
   const reflection = halfway ? 'blinn-phong' : 'phong';
   const fragment = explained({
     lights,
@@ -47,7 +47,7 @@ const GIVEN: fc.Arbitrary<Given> = fc.record({
 });
 
 /** A line's numbers as a reader computes them, in one channel. */
-function computed(text: string, channel: number): number {
+function computed(text: string, channel: number) {
   const js = text
     .replace(/−/g, '-')
     .replace(
@@ -116,7 +116,7 @@ it('can be answered from what it shows, and takes that answer (seed 54)', () => 
 });
 
 /** What the formula in a fact's words gives. */
-function saidBy(words: string): number {
+function saidBy(words: string) {
   const [, formula = '1'] = /(?:att|decay) = (.*)$/.exec(words) ?? [];
   const js = formula
     .replace(/(\d)\u00a0d/g, '$1*d')

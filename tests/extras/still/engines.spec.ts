@@ -40,7 +40,7 @@ const entry = (still: string) => `
 const STILL = join(outputFolder('dist'), 'still.js');
 
 /** The same code as one script for pages. */
-async function pageScript(): Promise<string> {
+async function pageScript() {
   const result = await build({
     configFile: false,
     logLevel: 'error',
@@ -99,7 +99,7 @@ async function inNode(base: string, version?: number): Promise<readonly string[]
 }
 
 /** Compares with this Node, scene by scene. */
-async function expectSame(site: Site, found: readonly string[]): Promise<void> {
+async function expectSame(site: Site, found: readonly string[]) {
   const expected = await (here ??= inNode(site.origin));
   const named = (digests: readonly string[]): readonly string[] =>
     SCENES.map(({ name }, i) => `${name}: ${digests[i]!}`);

@@ -313,6 +313,6 @@ describe('values in a still’s markup', () => {
   });
 });
 
-function fixture(name: string): string {
+function fixture(name: string) {
   return new URL(`../../fixtures/models/${name}`, import.meta.url).href;
 }

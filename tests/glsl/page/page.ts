@@ -64,7 +64,7 @@ window.merged = (reports) => {
   };
 };
 
-function brokenCheck({ title, max, bound }: Checked): string[] {
+function brokenCheck({ title, max, bound }: Checked) {
   return max <= bound ? [] : [`${title}: ${max.toPrecision(3)} above ${String(bound)}`];
 }
 
@@ -120,16 +120,7 @@ async function run(): Promise<Report> {
   };
 }
 
-function lineOf({
-  title,
-  cases,
-  bound,
-  max,
-  notFinite,
-  exact,
-  channels,
-  ...more
-}: Measured): string {
+function lineOf({ title, cases, bound, max, notFinite, exact, channels, ...more }: Measured) {
   const excluded = Object.entries(more.excluded).map(([name, count]) => `${name} ${count}`);
   return [
     `${title}: ${cases} cases, largest error ${max.toPrecision(2)} (bound ${bound})`,

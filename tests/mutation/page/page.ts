@@ -44,25 +44,17 @@ const gl = floatContext();
 const cheap: string[] = [];
 
 /** Of the lights of the long programs one in four: they take the driver seconds to compile. */
-function failingCheck(
-  edit: Edit | null,
-  only: string,
-  { seed, checks }: Extent,
-): string | undefined {
+function failingCheck(edit: Edit | null, only: string, { seed, checks }: Extent) {
   const checked = checkChunks(gl, 'shipped', seed, edit, { cases: checks, only, everyLight: 4 });
   return checked.find(({ max, bound }: Checked) => !(max <= bound))?.title;
 }
 
-async function failingCase(
-  driver: Driver,
-  edit: Edit | null,
-  extent: Extent,
-): Promise<string | undefined> {
+async function failingCase(driver: Driver, edit: Edit | null, extent: Extent) {
   const { seed, cases } = extent;
   return verdict(await stressRun(gl, { seed, cases, driver, edit }), driver !== 'shipped')[0];
 }
 
-async function failing(edit: Edit | null, extent: Extent): Promise<string | undefined> {
+async function failing(edit: Edit | null, extent: Extent) {
   for (const title of cheap) {
     if (failingCheck(edit, title, extent) !== undefined) return title;
   }

@@ -22,7 +22,7 @@ const press = (viewer: PhongViewer, key: string) =>
   partOf(viewer, '.surface')!.dispatchEvent(new KeyboardEvent('keydown', { key }));
 
 /** What is said after a while; null if nothing ever was. */
-async function said(viewer: PhongViewer): Promise<string | null> {
+async function said(viewer: PhongViewer) {
   await vi.advanceTimersByTimeAsync(A_WHILE);
   return partOf(viewer, '.reader > [aria-live=polite]')?.textContent ?? null;
 }

@@ -56,7 +56,7 @@ it.each(Object.entries(tables))(
 );
 
 /** What is wrong with an attribute and its property. */
-function faultsOf(tag: string, row: Row): string[] {
+function faultsOf(tag: string, row: Row) {
   const property = propertyOf(row);
   const { attribute, fallback, valid, bad, refused } = row;
   const faults: string[] = [];

@@ -194,7 +194,7 @@ const fields = Object.entries({
 );
 
 /** Values that the field accepts: guesses by its kind, and its own choices. */
-function valuesOf(field: Field<unknown>): fc.Arbitrary<unknown> {
+function valuesOf(field: Field<unknown>) {
   const words = field.expected.replace(/^(one|any) of /, '').split(', ');
   const n = fc.oneof(
     fc.double({ noNaN: true, noDefaultInfinity: true }),

@@ -29,7 +29,7 @@ const place = ({
   );
 
 /** Looks along −z from z. */
-function eyeAt(z: number, near = 0.1): PerspectiveCamera {
+function eyeAt(z: number, near = 0.1) {
   const camera = new PerspectiveCamera(45, 1, near, 100);
   camera.position.z = z;
   camera.updateMatrixWorld();

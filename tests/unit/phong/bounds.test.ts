@@ -52,7 +52,7 @@ function expectExact(scene: Group, error: number): void {
   }
 }
 
-function sceneOf(...meshes: readonly Object3D[]): Group {
+function sceneOf(...meshes: readonly Object3D[]) {
   const scene = new Group();
   scene.add(...meshes);
   scene.updateMatrixWorld();
@@ -60,7 +60,7 @@ function sceneOf(...meshes: readonly Object3D[]): Group {
 }
 
 /** Rotations, uneven scales and mirrored ones. */
-function place(mesh: Mesh, random: Random): Mesh {
+function place(mesh: Mesh, random: Random) {
   mesh.position.set(...random.vector(-4, 4));
   mesh.rotation.set(...random.vector(-4, 4));
   mesh.scale.set(random.magnitude(0.1, 10), -random.magnitude(0.1, 10), random.magnitude(0.1, 10));

@@ -62,7 +62,7 @@ describe('turning', () => {
 
 describe('shifting', () => {
   /** Position of a world point in the picture, CSS pixels from its middle, right and down. */
-  function project(pose: Pose, point: readonly [number, number, number]): { x: number; y: number } {
+  function project(pose: Pose, point: readonly [number, number, number]) {
     const { right, up, back } = basisOf(pose);
     const p = subtract(point, pose.target);
     const depth = pose.radius - dot(p, back);

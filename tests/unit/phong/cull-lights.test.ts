@@ -84,7 +84,7 @@ function coneBy(random: Random, { middle, half, size }: BoxCase, apart = false):
 }
 
 /** Angle between the axis and the direction from the apex to p, in radians. */
-function angleOf({ apex, axis }: ConeCase, p: Vec3): number {
+function angleOf({ apex, axis }: ConeCase, p: Vec3) {
   const v = subtract(p, apex);
   return Math.atan2(length(cross(v, axis)), dot(v, axis));
 }

@@ -19,7 +19,7 @@ const times = (a: bigint, b: bigint) => (a * b) >> BITS;
 const over = (a: bigint, b: bigint) => (a << BITS) / b;
 
 /** A float64 exactly: those of the tests have no bit below 2^-256. */
-function fixed(x: number): bigint {
+function fixed(x: number) {
   let [shift, whole] = [0n, x];
   while (!Number.isInteger(whole)) {
     whole *= 2;
@@ -29,12 +29,12 @@ function fixed(x: number): bigint {
 }
 
 /** The nearest float64 but for some roundings of its last bit's thousandth. */
-const float = (a: bigint): number => {
+const float = (a: bigint) => {
   const cut = BigInt(Math.max(0, a.toString(2).length - 64));
   return Number(a >> cut) * 2 ** Number(cut - BITS);
 };
 
-const artanh = (z: bigint): bigint => {
+const artanh = (z: bigint) => {
   let [sum, power] = [0n, z];
   for (let n = 1n; power !== 0n; n += 2n) {
     sum += power / n;
@@ -43,7 +43,7 @@ const artanh = (z: bigint): bigint => {
   return sum;
 };
 const LN2 = 2n * artanh(ONE / 3n);
-const exactLog = (x: bigint): bigint => {
+const exactLog = (x: bigint) => {
   let [k, m] = [0n, x];
   for (; m > 2n * ONE; k += 1n) {
     m >>= 1n;
@@ -53,7 +53,7 @@ const exactLog = (x: bigint): bigint => {
   }
   return k * LN2 + 2n * artanh(over(m - ONE, m + ONE));
 };
-const series = (x: bigint, first: bigint, from: bigint, step: bigint, sign: bigint): bigint => {
+const series = (x: bigint, first: bigint, from: bigint, step: bigint, sign: bigint) => {
   let [sum, term] = [0n, first];
   for (let n = from; term !== 0n; n += step) {
     sum += term;
@@ -64,7 +64,7 @@ const series = (x: bigint, first: bigint, from: bigint, step: bigint, sign: bigi
   }
   return sum;
 };
-const exactExp = (x: bigint): bigint => {
+const exactExp = (x: bigint) => {
   let k = x / LN2;
   const r = series(x - k * LN2, ONE, 0n, 1n, 1n);
   return k >= 0n ? r << k : r >> (k = -k);
@@ -72,7 +72,7 @@ const exactExp = (x: bigint): bigint => {
 const exactSin = (x: bigint) => series(x, x, 1n, 2n, -1n);
 const exactCos = (x: bigint) => series(x, ONE, 0n, 2n, -1n);
 /** Euler's series; t from 0 to 1. */
-const exactArctan = (t: bigint): bigint => {
+const exactArctan = (t: bigint) => {
   const w = over(times(t, t), ONE + times(t, t));
   let [sum, term] = [0n, over(t, ONE + times(t, t))];
   for (let n = 1n; term !== 0n; n += 1n) {
@@ -84,12 +84,7 @@ const exactArctan = (t: bigint): bigint => {
 const PI = 4n * exactArctan(ONE);
 
 /** The largest relative error of `f` over seeded numbers from `low` to `high`. */
-function worst(
-  low: number,
-  high: number,
-  f: (x: number) => number,
-  exact: (x: bigint) => bigint,
-): number {
+function worst(low: number, high: number, f: (x: number) => number, exact: (x: bigint) => bigint) {
   let [state, error] = [SEED, 0];
   for (let i = 0; i < 2000; i++) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

@@ -11,7 +11,7 @@ import { flatGeometry } from '../../../src/phong/material/flat-geometry.js';
 
 const TRIANGLE = [0, 0, 0, 2, 0, 0, 0, 3, 0];
 
-function fromPositions(values: readonly number[]): BufferGeometry {
+function fromPositions(values: readonly number[]) {
   return new BufferGeometry().setAttribute(
     'position',
     new BufferAttribute(new Float32Array(values), 3),

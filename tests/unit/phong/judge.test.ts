@@ -24,7 +24,7 @@ const phong = casesOf(ALL);
 const blinn = casesOf({ ...ALL, reflection: 'blinn-phong' });
 const sheetFor = (id: string): Case[] => (id === 'phong-for-blinn' ? blinn : phong);
 
-function resultOf<Result>(work: Work<Result>): Result {
+function resultOf<Result>(work: Work<Result>) {
   for (;;) {
     const { done, value } = work.next();
     if (done === true) return value;

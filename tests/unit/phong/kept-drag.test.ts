@@ -11,7 +11,7 @@ const view = {
 } as unknown as EventTarget;
 
 /** Whether the page hears nothing of an event, and its default does not happen. */
-function isKept(type: string, isTrusted = true): boolean {
+function isKept(type: string, isTrusted = true) {
   const event = { isTrusted, preventDefault: vi.fn(), stopPropagation: vi.fn() };
   listeners.get(type)?.(event as unknown as Event);
   return (

@@ -31,7 +31,7 @@ function write(buffer: LightBuffer, next: PackedLights): void {
 const draw = (rows: LightBuffer) => rows.sendTexture(gpu.renderer);
 
 /** Rows that the GPU has seen. */
-function settled(count: number): LightBuffer {
+function settled(count: number) {
   const rows = new LightBuffer();
   write(rows, packed(count));
   draw(rows);

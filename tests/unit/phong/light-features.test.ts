@@ -34,7 +34,7 @@ it.each<[string, Partial<LightValues>, string]>([
 });
 
 /** The names of the bits in a mask, sorted, and `power n` for an integer power. */
-function namesIn(mask: number): string[] {
+function namesIn(mask: number) {
   const { powerShift, ...bits } = LIGHT_FEATURES;
   const names = Object.entries(bits).flatMap(([name, bit]) => ((mask & bit) !== 0 ? [name] : []));
   const power = mask >> powerShift;

@@ -20,12 +20,7 @@ const ROOM: Box = [-4, -3, -2, 4, 3, 2];
 const DOWN: Vec3 = [0, -1, 0];
 
 /** Spots above the box that point nearly downward. Red ambient light numbers them from 1. */
-function spotsOver(
-  box: Box,
-  count: number,
-  random: Random,
-  more: Partial<LightValues> = {},
-): LightValues[] {
+function spotsOver(box: Box, count: number, random: Random, more: Partial<LightValues> = {}) {
   const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
   const inside = (k: 0 | 2) => random.from(box[k], box[k + 3]!);
   return Array.from({ length: count }, (_, i) =>
@@ -63,7 +58,7 @@ const gridOf = (into: PackedLights) => lastOf(into, HEADER.counts);
 const unlistedOf = (into: PackedLights) => lastOf(into, gridOf(into) + GRID.size);
 
 /** The rows of all lights, by kind. */
-function rowsOf({ counts }: PackedLights): number[][] {
+function rowsOf({ counts }: PackedLights) {
   let row: number = HEADER.rows;
   return KINDS.map((kind) =>
     Array.from({ length: counts[kind] }, () => {
@@ -77,7 +72,7 @@ function rowsOf({ counts }: PackedLights): number[][] {
  * The rows of the lights that the GLSL adds at p, computed as cellSpots and listedRow do, in
  * float32.
  */
-function addedAt(into: PackedLights, p: Vec3): number[] {
+function addedAt(into: PackedLights, p: Vec3) {
   const grid = gridOf(into);
   const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) =>
     rowOf(into, grid + row),
@@ -101,7 +96,7 @@ function addedAt(into: PackedLights, p: Vec3): number[] {
  * Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments
  * have it.
  */
-function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
+function pointIn(random: Random, box: Box, size: Vec3) {
   const p = [0, 1, 2].map((k) => {
     const [low, high] = [box[k]!, box[k + 3]!];
     const corner = low + (Math.floor(random.from(0, size[k]! + 1)) / size[k]!) * (high - low);
@@ -111,7 +106,7 @@ function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
 }
 
 /** Whether p is within a spot's cone: by its values, not by its rows. */
-function isLit({ position: [x, y, z], axis, aperture }: LightValues, p: Vec3): boolean {
+function isLit({ position: [x, y, z], axis, aperture }: LightValues, p: Vec3) {
   const v = subtract(p, [x, y, z]);
   return Math.atan2(length(cross(v, axis)), dot(v, axis)) <= radians(aperture);
 }

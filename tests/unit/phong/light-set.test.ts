@@ -12,13 +12,13 @@ const three = (): [LightState, LightState, LightState] => [
 ];
 
 /** The names of the lights, and of their values, which are the same. */
-function names({ lights, values }: LightSet): string {
+function names({ lights, values }: LightSet) {
   expect(lights.map((one) => one.values)).toStrictEqual(values);
   return values.map(({ name }) => name).join('');
 }
 
 /** By how much the set's version grows. */
-function growth(set: LightSet, change: () => void): number {
+function growth(set: LightSet, change: () => void) {
   const { version } = set;
   change();
   return set.version - version;

@@ -33,7 +33,7 @@ it('a list names its first ten entries, each clipped, and counts the rest', () =
 });
 
 /** The optimal string alignment distance, by the textbook's table. */
-function distance(a: string, b: string): number {
+function distance(a: string, b: string) {
   const table: number[][] = [];
   const at = (i: number, j: number) => table[i]?.[j] ?? Infinity;
   for (let i = 0; i <= a.length; i++) {

@@ -7,14 +7,14 @@ import { describe, expect, it } from 'vitest';
 import { normalMatrix } from '../../../src/phong/material/normal-matrix.js';
 import { plainVector, triple } from '../arbitraries.js';
 
-function place(rotation: readonly number[], scale: readonly number[]): Matrix4 {
+function place(rotation: readonly number[], scale: readonly number[]) {
   const [x = 0, y = 0, z = 0] = rotation;
   const turn = new Quaternion().setFromEuler(new Euler(x, y, z));
   const [sx = 1, sy = 1, sz = 1] = scale;
   return new Matrix4().compose(new Vector3(5, -6, 7), turn, new Vector3(sx, sy, sz));
 }
 
-const normals = (model: Matrix4): Matrix3 => {
+const normals = (model: Matrix4) => {
   const out = new Matrix3();
   normalMatrix(model, out);
   return out;

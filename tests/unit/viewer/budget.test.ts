@@ -16,7 +16,7 @@ const need = (key: object | string, triangles: number) => ({
 const holds = (claims: Claims, key: object | string = {}) => [{ key, claims, flat: false }];
 const tooLarge: unknown = expect.objectContaining({ code: 'too-large' });
 
-function budgetOf(limit: number): Budget {
+function budgetOf(limit: number) {
   const budget = new Budget();
   budget.limit = limit;
   return budget;

@@ -22,7 +22,7 @@ function queueOf(lightsChanged: (lights: readonly PhongLight[]) => void = () => 
   return { element, queue: new EventQueue(element, lightsReported), seen };
 }
 
-function lightNamed(name: string): ElementLight {
+function lightNamed(name: string) {
   const light = new ElementLight();
   // The queue only passes elements on.
   light.element = { name } as unknown as PhongLight;

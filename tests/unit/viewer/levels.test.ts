@@ -141,7 +141,7 @@ describe('the number of segments that a shape needs', () => {
   }
 
   /** In pixels of a picture 400 high: of the outline of `n` segments, as far as it is in view. */
-  function outlineErrors({ view, aside, edge }: Seen, n: number): number[] {
+  function outlineErrors({ view, aside, edge }: Seen, n: number) {
     const distance = view.frame.eye[2];
     // Rays that touch the sphere on both sides, and once with the radius that is drawn.
     return [-1, 1].flatMap((sign) => {

@@ -30,7 +30,7 @@ import { BLACK, caster } from '../../visual/ray-cast.js';
 const WIDTH = 24;
 const HEIGHT = 18;
 
-function nearOf(scene: Object3D, pose: Pose, fov = 45): number {
+function nearOf(scene: Object3D, pose: Pose, fov = 45) {
   const frame = new Frame(new Orbit(pose));
   scene.updateMatrixWorld();
   const center = [0, 0, 0] as const;
@@ -42,7 +42,7 @@ function nearOf(scene: Object3D, pose: Pose, fov = 45): number {
 const ZERO = [0, 0, 0] as const;
 const ONE = [1, 1, 1] as const;
 
-function built({ meshes }: CoverageScene): Scene {
+function built({ meshes }: CoverageScene) {
   const scene = new Scene();
   for (const { geometry, position = ZERO, rotation = ZERO, scale = ONE } of meshes) {
     const mesh = new Mesh(createGeometry(geometry, undefined) as BufferGeometry);
@@ -57,7 +57,7 @@ function built({ meshes }: CoverageScene): Scene {
 }
 
 /** The least depth at the centres of the pixels. */
-function leastSeen({ meshes, fov, ...pose }: CoverageScene): number {
+function leastSeen({ meshes, fov, ...pose }: CoverageScene) {
   const placed = meshes.map((mesh) => ({
     ...BLACK,
     position: ZERO,
@@ -86,7 +86,7 @@ const plain = (geometry: BufferGeometry, z = 0): Mesh => {
 };
 
 /** A large box far away, so that the eye is inside the scene's sphere. */
-function inside(...objects: Object3D[]): Scene {
+function inside(...objects: Object3D[]) {
   const scene = new Scene();
   scene.add(plain(new BoxGeometry(100, 100, 100), -500), ...objects);
   return scene;
