@@ -107,26 +107,18 @@ function isBeyond(
   return Math.abs(nx * dx + ny * dy + nz * dz) > extent + reach * length;
 }
 
-const isPerspective = ({ projectionMatrix }: Camera): boolean =>
-  projectionMatrix.elements[11] !== 0;
-
-/**
- * Distance of the near plane, from the projection. A multiple of a perspective projection is the
- * same projection.
- */
-function nearOf(camera: Camera): number {
-  const p = camera.projectionMatrix.elements;
-  return isPerspective(camera) ? p[14] / (p[10] + p[11]) : (p[14] + 1) / p[10];
+/** Distance of the near plane, from the projection. A multiple of a projection is the same one. */
+function nearOf({ projectionMatrix }: Camera): number {
+  const p = projectionMatrix.elements;
+  return (p[14] + p[15]) / (p[10] + p[11]);
 }
 
 /** Distance of the eye from the farthest corner of the near plane. */
 function nearReach(camera: Camera): number {
   const p = camera.projectionMatrix.elements;
   const near = nearOf(camera);
-  const perspective = isPerspective(camera);
-  const scale = perspective ? near : 1;
-  const w = perspective ? -p[11] : 1;
-  const x = (scale * (w + Math.abs(perspective ? p[8] : p[12]))) / p[0];
-  const y = (scale * (w + Math.abs(perspective ? p[9] : p[13]))) / p[5];
+  const w = p[15] - p[11] * near;
+  const x = (w + Math.abs(p[8] * near - p[12])) / p[0];
+  const y = (w + Math.abs(p[9] * near - p[13])) / p[5];
   return Math.sqrt(near * near + x * x + y * y);
 }

@@ -24,7 +24,7 @@ export function normalMatrix(model: Matrix4, out: Matrix3): void {
     Math.abs(m[10]),
   );
   if (!(largest > 0)) {
-    out.set(0, 0, 0, 0, 0, 0, 0, 0, 0);
+    out.elements.fill(0);
     return;
   }
   // Divided, not multiplied by 1/largest: that would overflow for the smallest scales of the
@@ -48,22 +48,15 @@ export function normalMatrix(model: Matrix4, out: Matrix3): void {
     c7 = c * d - a * f,
     c8 = a * e - b * d;
   const determinant = a * c0 + b * c1 + c * c2;
-  const top = Math.max(
-    Math.abs(c0),
-    Math.abs(c1),
-    Math.abs(c2),
-    Math.abs(c3),
-    Math.abs(c4),
-    Math.abs(c5),
-    Math.abs(c6),
-    Math.abs(c7),
-    Math.abs(c8),
-  );
-  // Flattened to a line or a point: no normal is left.
-  const signed = top > 0 ? (determinant < 0 ? -top : top) : 1;
   out.set(c0, c3, c6, c1, c4, c7, c2, c5, c8);
   const { elements } = out;
+  let top = 0;
   for (let k = 0; k < 9; k++) {
-    elements[k] = (elements[k] ?? 0) / signed;
+    top = Math.max(top, Math.abs(elements[k]!));
+  }
+  // Flattened to a line or a point: no normal is left.
+  const signed = top > 0 ? (determinant < 0 ? -top : top) : 1;
+  for (let k = 0; k < 9; k++) {
+    elements[k]! /= signed;
   }
 }
