@@ -66,6 +66,7 @@ export class FakeRenderer {
       },
       getContext: () => gl,
       extensions: { has: () => true },
+      info: { render: { frame: 0 } },
       properties: {
         get: (material: Material) => ({ currentProgram: this.#programs.get(material) }),
       },

@@ -16,6 +16,10 @@ export class PhongLighting {
   readonly space = new ShadingSpace();
   /** Specialised programs of this picture; null while their code is not there. */
   special: SpecialPrograms | null = null;
+  #pass = 0;
+  /** What {@link passOf} saw last. */
+  #frame = 0;
+  #camera: Camera | null = null;
 
   constructor(lights = new LightSet()) {
     this.lights = lights;
@@ -43,12 +47,28 @@ export class PhongLighting {
    */
   updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
     const { space, packing, needs } = this;
+    this.#pass += 1;
     space.follow(frame, camera);
     this.meshLights.begin(space.origin);
     this.special?.begin();
     needs.declare();
     packing.update(frame, space.origin);
     needs.fit(packing.buffer.packed.rows);
+  }
+
+  /**
+   * Call before each draw: counts the passes over the meshes. In one, a frame of three.js seen by one
+   * camera, draws differ by their meshes alone.
+   */
+  passOf(renderer: WebGLRenderer, camera: Camera): number {
+    const { frame } = renderer.info.render;
+    const isSame = frame === this.#frame && camera === this.#camera;
+    if (!isSame || renderer !== this.needs.renderer) {
+      this.#frame = frame;
+      this.#camera = camera;
+      this.#pass += 1;
+    }
+    return this.#pass;
   }
 
   /** Call before drawing with `renderer`. Another renderer is sent everything again. */

@@ -47,6 +47,8 @@ const BLACK: Vec3 = [0, 0, 0];
  * material: a program made again starts empty.
  */
 let programRows = new WeakMap<object, Map<string, number>>();
+/** How often rows were sent to any program. */
+let rowsSent = 0;
 
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
@@ -71,6 +73,8 @@ export class PhongMaterial extends RawShaderMaterial {
   // What the last draw used.
   #lights: LightBuffer | null = null;
   #aim = 0;
+  /** {@link PhongLighting.passOf} and {@link rowsSent}, which only increase. */
+  #pass = 0;
   readonly #uniforms;
 
   /** What `look` leaves out is as in a file that says nothing. */
@@ -168,34 +172,45 @@ export class PhongMaterial extends RawShaderMaterial {
     const mesh = object as Mesh;
     const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
     this.side = culls ? FrontSide : DoubleSide;
+    const mirrors = this.#writeMatrices(mesh);
+    const { meshLights, packing, space, special } = this.#lighting;
+    const reaching = meshLights.of(mesh);
+    const pass = this.#lighting.passOf(renderer, camera);
+    const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
+    const isSame = pass + rowsSent === this.#pass && reaching === this.#lights;
+    if (isSame && special?.divides(reaching) !== true) {
+      uLightRows.needsUpdate = false;
+      this.uniformsNeedUpdate = mirrors;
+      return;
+    }
     if (this.#linear !== this.linear) {
       this.#writeSurface();
     }
     this.#chooseTextures();
-    const mirrors = this.#writeMatrices(mesh);
-    const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
-    Object.assign(this.uniforms, this.#lighting.packing.view?.program?.uniforms);
+    const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh }, reaching);
+    Object.assign(this.uniforms, packing.view?.program?.uniforms);
     this.#use(variant);
-    const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
     const storage = variant.defines['LIGHT_STORAGE'];
     if (storage !== 'STORAGE_INLINED') {
-      this.#lighting.meshLights.countUpload(lights);
+      meshLights.countUpload(lights);
     }
     uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
     if (uLightRows.needsUpdate) {
       uLightRows.value = lights.rows;
+      rowsSent += 1;
     }
     if (storage === 'STORAGE_TEXTURE') {
       uLightTexture.value = lights.sendTexture(renderer);
       uLightTextureScale.value.copy(lights.textureScale);
     }
-    const aim = this.#lighting.space.aim(camera);
+    const aim = space.aim(camera);
     // three.js sends a material's uniforms once per frame, unless they change between two of its
     // draws.
     this.uniformsNeedUpdate =
       aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
     this.#aim = aim;
     this.#lights = lights;
+    this.#pass = pass + rowsSent;
   }
 
   /** Frees the material's programs; drawing makes them again. */
@@ -247,10 +262,8 @@ export class PhongMaterial extends RawShaderMaterial {
   #chooseTextures(): void {
     const { uMap, uEmissiveMap } = this.#uniforms;
     const { map: base, emissiveMap } = this.look;
-    const chosen = (texture: Texture | null): Texture | null =>
-      texture !== null && this.#linear ? decodedTexture(texture) : texture;
-    uMap.value = chosen(base);
-    uEmissiveMap.value = chosen(emissiveMap);
+    uMap.value = base && this.#linear ? decodedTexture(base) : base;
+    uEmissiveMap.value = emissiveMap && this.#linear ? decodedTexture(emissiveMap) : emissiveMap;
   }
 
   #writeSurface(): void {
@@ -261,20 +274,15 @@ export class PhongMaterial extends RawShaderMaterial {
     const style = term === null ? this.#style : { ...this.#style, terms: [term] };
     const { terms } = style;
     const { ka, kd, ks, shininess } = this.#surface;
+    const decode = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
     const write = (into: Vector3, term: Term, k: Vec3, base: Vec3): void => {
-      const channel = (i: 0 | 1 | 2): number =>
-        linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
-      if (terms.includes(term)) {
-        into.set(channel(0), channel(1), channel(2));
-      } else {
-        into.set(...BLACK);
-      }
+      const shares = map(terms.includes(term) ? k : BLACK, (code) => code / 255);
+      into.set(...decode(shares)).multiply(new Vector3(...decode(base)));
     };
     write(uKa.value, 'ambient', ka, look.baseColor);
     write(uKd.value, 'diffuse', kd, look.baseColor);
     write(uKs.value, 'specular', ks, PLAIN_LOOK.baseColor);
     uShininess.value = shininess;
-    const decode = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
     uBaseColor.value.set(...decode(term !== null && look.unlit ? BLACK : look.baseColor));
     uEmissive.value.set(...decode(term === null ? look.emissive : BLACK));
     uLobeScale.value = look.roughness === null ? 1 : lobeScale(shininess);

@@ -29,23 +29,22 @@ function lit(
   const mesh = new Mesh(new BoxGeometry(), material) as Mesh<BufferGeometry, PhongMaterial>;
   const camera = new PerspectiveCamera();
   camera.position.z = 5;
+  /** Whether rows of lights are sent for it. */
+  const render = (one: typeof mesh) => {
+    const { geometry } = one;
+    one.material.onBeforeRender(gpu.renderer, new Scene(), camera, geometry, one, null as never);
+    return (one.material.uniforms['uLightRows'] as { needsUpdate?: boolean }).needsUpdate;
+  };
   const draw = (frames = 1) => {
     for (let i = 0; i < frames; i++) {
       camera.updateMatrixWorld();
       lighting.update(camera);
       mesh.updateMatrixWorld();
-      material.onBeforeRender(
-        gpu.renderer,
-        new Scene(),
-        camera,
-        mesh.geometry,
-        mesh,
-        null as never,
-      );
+      render(mesh);
     }
     return material.version;
   };
-  return { lights, lighting, material, mesh, camera, gpu, draw };
+  return { lights, lighting, material, mesh, camera, gpu, draw, render };
 }
 
 describe('another program', () => {
@@ -91,6 +90,17 @@ describe('another program', () => {
     draw(60);
     expect(gpu.compiled).toHaveLength(programs);
   });
+});
+
+it('sends rows again where another material has replaced them in the frame', () => {
+  const { mesh, draw, render } = lit([{ position: [0, 3, 0, 1], axis: [0, -1, 0], aperture: 20 }]);
+  const far = mesh.clone();
+  far.position.x = 50;
+  far.updateMatrixWorld();
+  const other = mesh.clone();
+  other.material = mesh.material.clone();
+  draw();
+  expect([far, far, other, far].map(render)).toEqual([true, false, true, true]);
 });
 
 it('chooses the sides in each draw, without another program', () => {

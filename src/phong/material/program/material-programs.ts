@@ -57,11 +57,13 @@ export class MaterialPrograms {
     return program === null ? general : program.variant(general);
   }
 
-  /** The program for this draw, and the lights it reads. */
-  forDraw(draw: Draw): { readonly variant: Variant; readonly lights: LightBuffer } {
-    const { meshLights, needs, packing, special } = this.#lighting;
+  /** The program for this draw, and `lights`, those that reach the mesh, as it reads them. */
+  forDraw(
+    draw: Draw,
+    lights: LightBuffer,
+  ): { readonly variant: Variant; readonly lights: LightBuffer } {
+    const { needs, packing, special } = this.#lighting;
     this.#lighting.drawWith(draw.renderer);
-    const lights = meshLights.of(draw.mesh);
     const hasOne = this.#look.unlit || (packing.view?.program ?? null) !== null;
     const chosen = hasOne ? null : special?.forDraw(draw, this.#drawnWith(needs.capacity), lights);
     return chosen ?? { variant: this.general(), lights };

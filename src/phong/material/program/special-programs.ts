@@ -79,6 +79,11 @@ export class SpecialPrograms {
     return variant && { variant, lights: grid ?? lights };
   }
 
+  /** Whether a mesh may read these lights in a grid of its own. */
+  divides({ packed }: LightBuffer): boolean {
+    return packed.counts.spot >= LEAST_DIVIDED;
+  }
+
   dispose(): void {
     for (const grid of this.#grids) {
       grid.dispose();
@@ -88,7 +93,7 @@ export class SpecialPrograms {
 
   /** The lights in a grid over the mesh; null where that is not worth it. */
   #divided(mesh: Mesh, lights: LightBuffer): LightBuffer | null {
-    if (lights.packed.counts.spot < LEAST_DIVIDED) return null;
+    if (!this.divides(lights)) return null;
     const grid = this.#gridOf.get(mesh) ?? new MeshLightGrid();
     this.#gridOf.set(mesh, grid);
     grid.frame = this.#frame;
