@@ -112,12 +112,12 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
   float few[COUNT] = float[](1.0, 1.0, 1.0, 1.0), one = 0.0;
   for (int i = 0; i < 3; i++) if (NoL < 0.0) for (uint k = 0u; k < 3u; ++k) one += few[k] / 9.0;
   else one += few[i] / 3.0;
-  int n = 0;
-  for (int i = 0; i < 100; i++) for (int k = 0; k < 25; k++) { if (k % 2 == 0) continue; n++; }
-  if (n != 1200) one = 0.0;
   if (NoL > 0.99) {
+    int n = 0;
+    for (int i = 0; i < 100; i++) for (int k = 0; k < 25; k++) { if (k % 2 == 0) continue; n++; }
     for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) n++;
     for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) n++;
+    if (n != 21200) one = 0.0;
   }
   vec3 ambient = one * m.ka * light.ambient;`,
   ]),
