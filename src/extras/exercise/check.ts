@@ -95,17 +95,17 @@ function* verdictOf(
   const [all, shown] = [judged[0]!, judged.at(-1)!];
   const right = isRight(all) && isRight(shown);
   const sample = yield* sampleOf(shown);
-  const of = picture === null ? all : shown;
+  const of = shown.count > 0 ? shown : all;
   return {
     right,
     mistakes: right ? [] : yield* mistakesIn([all, sample]),
-    share: of.count === 0 ? 0 : 1 - of.wrong.length / of.count,
+    share: 1 - of.wrong.length / of.count,
     rightPixels: shown.count - shown.wrong.length,
     pixels: shown.count,
     undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
     terms: TERMS.filter((_, i) => !isRight(judged[i + 1]!)),
     difference: differenceOf(all.wrong.length > 0 ? all : sample),
-    worst: picture === null ? null : worstOf(shown, picture),
+    worst: worstOf(shown, picture!),
     scene: isRight(shown) && !right ? sceneOf(all, points) : null,
     images: picture === null ? null : yield* imagesOf(picture, shown.colors),
   };

@@ -127,7 +127,6 @@ class Exercise extends ExtraElement<ExerciseValues> {
     this.#written = null;
     this.#faults = [];
     this.#shown = null;
-    this.root.querySelector('textarea')!.value = this.#given;
     this.#render();
   }
 
@@ -166,7 +165,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     const viewer = this.#viewer;
     if (viewer === null) {
       const id = JSON.stringify(this.values.for);
-      throw refused('There is no phong-viewer with the id {id}.', { id });
+      throw refused('There is no phong-viewer with the id {id}.', null, { id });
     }
     await viewer.ready;
     const snapshot = hostOf(viewer).snapshot();
@@ -190,14 +189,13 @@ class Exercise extends ExtraElement<ExerciseValues> {
 
   #render(): void {
     const { value } = this;
-    const isMissing = this.values.required && (this.#written ?? '').trim() === '';
+    const written = this.#written ?? '';
     render(this.#template(value), this.root);
-    const area = this.root.querySelector('textarea')!;
-    this.internals.setFormValue(value, this.#written ?? '');
+    this.internals.setFormValue(value, written);
     this.internals.setValidity(
-      { valueMissing: isMissing },
-      isMissing ? this.#say('Write the function first.') : '',
-      area,
+      { valueMissing: this.values.required && written.trim() === '' },
+      this.#say('Write the function first.'),
+      this.root.querySelector('textarea')!,
     );
     paint(this.root, this.#shown?.images ?? {});
   }

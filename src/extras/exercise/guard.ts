@@ -33,6 +33,7 @@ interface Token {
 
 /** A function or a macro of the learner's. */
 interface Definition {
+  readonly name: string;
   readonly tokens: readonly Token[];
   /** How often a macro writes what it is given; null for what is given nothing, or a function. */
   readonly copies: number | null;
@@ -50,14 +51,16 @@ export class Refused extends Error {
 
 export const refused = (
   text: ViewerText,
-  values: Fault['values'] = {},
   line: number | null = null,
+  values: Fault['values'] = {},
 ): Refused => new Refused([{ text, values, line }]);
 
 /** What a driver may be given, each line in its place. Throws {@link Refused}. */
 export function guarded(source: string): string {
   if (source.length > MOST_CHARACTERS) {
-    throw refused('The text is too long: at most {most} characters.', { most: MOST_CHARACTERS });
+    throw refused('The text is too long: at most {most} characters.', null, {
+      most: MOST_CHARACTERS,
+    });
   }
   // With every kind of space that editors and web pages put in, and a mark at the beginning.
   const spaced = source.replace(/\r\n?/g, '\n').replace(/[^\S\n]/g, ' ');
@@ -67,7 +70,7 @@ export function guarded(source: string): string {
 function withoutComments(source: string): string {
   const bare = source.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, (comment, at: number) => {
     if (comment.startsWith('/*') && (comment.length < 4 || !comment.endsWith('*/'))) {
-      throw refused('A comment is not closed.', {}, source.slice(0, at).split('\n').length);
+      throw refused('A comment is not closed.', source.slice(0, at).split('\n').length);
     }
     return ` ${comment.replace(/[^\n]/g, '')}`;
   });
@@ -76,11 +79,11 @@ function withoutComments(source: string): string {
     if (found !== undefined) {
       // Some are invisible, or look like a letter.
       const code = found.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0');
-      throw refused(CHARACTER, { character: `${found} (U+${code})` }, i + 1);
+      throw refused(CHARACTER, i + 1, { character: `${found} (U+${code})` });
     }
     const [name] = OURS.exec(line) ?? [];
     if (name !== undefined) {
-      throw refused('Leave out {name}: it is there already.', { name }, i + 1);
+      throw refused('Leave out {name}: it is there already.', i + 1, { name });
     }
   }
   return bare;
@@ -100,10 +103,7 @@ const DEFINE =
 export const TOO_MUCH = 'The function does too much: loops and calls are limited.';
 
 function withStops(lines: readonly string[]): string {
-  const definitions = new Map<string, Definition[]>();
-  const define = (name: string, tokens: readonly Token[], copies: number | null): void => {
-    definitions.set(name, [...(definitions.get(name) ?? []), { tokens, copies }]);
-  };
+  const definitions: Definition[] = [];
   const tokens: Token[] = [];
   for (const [i, line] of lines.entries()) {
     if (!line.includes('#')) {
@@ -115,14 +115,14 @@ function withStops(lines: readonly string[]): string {
     const body = tokensOf(rest, i + 1);
     // Our part of a loop and of an index keeps its meaning.
     const isPlain = !body.some(({ text }) => /^(for|while|do|struct|[{};#])$/.test(text));
-    if (!isPlain || /^(if|else|break|int)$/.test(name)) throw refused(DEFINE, {}, i + 1);
+    if (!isPlain || /^(if|else|break|int)$/.test(name)) throw refused(DEFINE, i + 1);
     match(body);
     const parameters: readonly string[] = list?.match(/\w+/g) ?? [];
     const copies = body.filter(({ text }) => parameters.includes(text)).length;
-    define(name, body, list === undefined ? null : copies);
+    definitions.push({ name, tokens: body, copies: list === undefined ? null : copies });
   }
   match(tokens);
-  const macros = new Set(definitions.keys());
+  const macros = definitions.map(({ name }) => name);
   let open = 0;
   for (let i = 0; i < tokens.length; i++) {
     const { text, line } = tokens[i]!;
@@ -133,11 +133,11 @@ function withStops(lines: readonly string[]): string {
       const name = tokens[(isFunction ? open : i) - 1]?.text ?? '';
       const isStruct = tokens[i - 2]?.text === 'struct';
       // A macro could be the name of another function.
-      if (!/^\w/.test(name) || macros.has(name) || !(isFunction || isStruct)) {
-        throw refused(CHARACTER, { character: text }, line);
+      if (!/^\w/.test(name) || macros.includes(name) || !(isFunction || isStruct)) {
+        throw refused(CHARACTER, line, { character: text });
       }
       if (isFunction) {
-        define(name, tokens.slice(i + 1, end), null);
+        definitions.push({ name, tokens: tokens.slice(i + 1, end), copies: null });
       }
     }
     open = i;
@@ -152,7 +152,7 @@ function withStops(lines: readonly string[]): string {
     const next = tokens[i + 1]?.text;
     const isIndex = text === '[' && next !== ']';
     if (/^(while|do)$/.test(text) || (text === 'for' && next !== '(')) {
-      throw refused('A loop must be a for.', {}, line);
+      throw refused('A loop must be a for.', line);
     }
     if (text === 'for') {
       const head = closing(tokens, i + 1);
@@ -172,7 +172,7 @@ function withStops(lines: readonly string[]): string {
 /** Counts a part of the code, with a copy of each definition wherever it is named. */
 function counterFor(
   tokens: readonly Token[],
-  definitions: ReadonlyMap<string, readonly Definition[]>,
+  definitions: readonly Definition[],
 ): (part: readonly Token[]) => number {
   const has = (word: RegExp) => tokens.some(({ text }) => word.test(text));
   const weight = has(/^mat\d/) ? MATRIX : has(/^for$/) ? REPEATED : 1;
@@ -180,11 +180,11 @@ function counterFor(
   const read = (part: readonly Token[], inside: readonly Definition[]): void => {
     for (const [i, { text, line }] of part.entries()) {
       code += text === 'pow' ? MATRIX * weight : weight;
-      if (code > MOST_CODE) throw refused(TOO_MUCH, {}, line);
-      for (const one of definitions.get(text) ?? []) {
+      if (code > MOST_CODE) throw refused(TOO_MUCH, line);
+      for (const one of definitions.filter(({ name }) => name === text)) {
         const { copies } = one;
         // A macro that is given to another one could be put in without being counted.
-        if (copies !== null && part[i + 1]?.text !== '(') throw refused(DEFINE, {}, line);
+        if (copies !== null && part[i + 1]?.text !== '(') throw refused(DEFINE, line);
         // Of overloads only a compiler knows which one is called. It refuses recursion.
         if (inside.includes(one)) continue;
         read(one.tokens, [...inside, one]);
@@ -212,11 +212,11 @@ function match(tokens: readonly Token[]): void {
     } else if (depthOf(text) > 0 && !(text === '{' && /^[([]$/.test(around))) {
       open.push(token);
     } else if (depthOf(text) !== 0) {
-      throw refused('Braces or brackets do not match.', {}, line);
+      throw refused('Braces or brackets do not match.', line);
     }
   }
   if (open.length > 0) {
-    throw refused('Braces or brackets do not match.', {}, open.at(-1)!.line);
+    throw refused('Braces or brackets do not match.', open.at(-1)!.line);
   }
 }
 

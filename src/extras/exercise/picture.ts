@@ -76,7 +76,7 @@ function* pixelPoints(
       const { surface, normal } = shadedPoint(hit);
       const { shininess } = surface;
       if (shininess < 1 || shininess > 256) {
-        throw refused('The exponent is {n} in this picture: an exercise needs 1 to 256.', {
+        throw refused('The exponent is {n} in this picture: an exercise needs 1 to 256.', null, {
           n: shininess,
         });
       }

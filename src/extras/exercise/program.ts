@@ -114,17 +114,15 @@ export async function run(
     const mostAt = build(gl, glsl);
     await bindTextures(gl, cases, signal);
     const colors = await draw(gl, mostAt, cases, signal);
-    if (gl.isContextLost()) throw new Error('lost');
-    return colors;
+    if (!gl.isContextLost()) return colors;
   } catch (error) {
-    // A driver has given up, or the page has taken the context away.
-    throw gl.isContextLost()
-      ? refused('The graphics driver has stopped. The next run starts anew.')
-      : error;
+    if (!gl.isContextLost()) throw error;
   } finally {
     // Browsers keep few contexts, so none waits for the next run.
     lose(gl);
   }
+  // A driver has given up, or the page has taken the context away.
+  throw refused('The graphics driver has stopped. The next run starts anew.');
 }
 
 const lose = (gl: WebGL2RenderingContext): void =>
@@ -237,7 +235,7 @@ async function draw(
     for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
       const line = bits[i + 3]! - 1;
       if (line > 0) {
-        if (count === FEWEST) throw refused(TOO_MUCH, {}, line);
+        if (count === FEWEST) throw refused(TOO_MUCH, line);
         most = count / 4;
         break;
       }

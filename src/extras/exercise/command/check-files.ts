@@ -33,25 +33,22 @@ interface Result {
 const say = (line: string): boolean => process.stdout.write(`${line}\n`);
 
 /** The status of the command. */
-export async function run(args: readonly string[]): Promise<number> {
-  try {
-    return await checkFiles(args);
-  } catch (error) {
+export const run = (args: readonly string[]): Promise<number> =>
+  checkFiles(args).catch((error: unknown) => {
     const [line] = (error as Error).message.split('\n');
     process.stderr.write(`${line!} See phong-viewer check --help.\n`);
     return 2;
-  }
-}
+  });
 
 async function checkFiles(args: readonly string[]): Promise<number> {
   const { values, positionals } = parseArgs({
     args: [...args],
     allowPositionals: true,
     options: {
-      csv: { type: 'boolean', default: false },
+      csv: { type: 'boolean' },
       exercise: { type: 'string' },
       browser: { type: 'string' },
-      help: { type: 'boolean', short: 'h', default: false },
+      help: { type: 'boolean', short: 'h' },
     },
   });
   if (values.help) {
