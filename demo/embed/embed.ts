@@ -13,7 +13,7 @@ const sheet = new CSSStyleSheet();
 sheet.replaceSync(`
   html, body { height: 100%; margin: 0; }
   phong-viewer, phong-compare { display: block; width: 100%; height: 100%; }
-  p { position: absolute; inset: auto 0 0; margin: 0; padding: 0.5em 1em; font: 0.875rem/1.4 system-ui, sans-serif; }
+  p { position: absolute; inset: auto 0 0; margin: 0; padding: 0.5em 1em; background: Canvas; font: 0.875rem/1.4 system-ui, sans-serif; }
   p:empty { display: none; }
 `);
 document.adoptedStyleSheets = [sheet];

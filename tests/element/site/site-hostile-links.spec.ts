@@ -156,9 +156,14 @@ test('the page for frames says that it loads nothing from other sites, and that 
     page,
     linkTo(HOSTILE['other hosts, spelled oddly']!('')).replace('playground/', 'embed.html'),
   );
-  await expect(page.getByRole('status')).toContainText('Files of other sites are not loaded here');
+  const status = page.getByRole('status');
+  await expect(status).toContainText('Files of other sites are not loaded here');
+  await expect(status, 'legible over any picture').toHaveCSS(
+    'background-color',
+    'rgb(255, 255, 255)',
+  );
   await openLink(page, 'embed.html#scene=AAAAAAAA____');
-  await expect(page.getByRole('status')).toContainText('This link is broken');
+  await expect(status).toContainText('This link is broken');
 });
 for (const where of ['playground/', 'embed.html']) {
   test(`the viewers of a link to ${where} hold together what one viewer may`, async ({ page }) => {
