@@ -1,7 +1,8 @@
 // Does <phong-control> edit one value of viewers, lights and meshes, from anywhere on the page?
 
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../../support/test.js';
+import { decodePng } from '../../support/picture.js';
+import { compare, expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag } from '../../element/support/viewer.js';
 import { readyTexts } from '../../support/texts.js';
 
@@ -102,6 +103,22 @@ test('looks as the value asks: switch, choice, colour, component, stepper throug
     'aria-disabled',
     'true',
   );
+});
+
+test('a stepper points along the page’s direction in every language', async ({ mount, page }) => {
+  const steps = control('for="v" attribute="theta" values="1|2|3"');
+  await mount(scene.replace('id="v"', 'id="v" theta="2"') + steps, { css });
+  const shown = async (i: number) =>
+    decodePng(await page.locator('.steps button').nth(i).screenshot());
+  const [back, forward] = [await shown(0), await shown(1)];
+  for (const [lang, dir, isTurned] of [
+    ['ar', 'rtl', true],
+    ['ku', 'ltr', false],
+  ] as const) {
+    await page.evaluate((root) => Object.assign(document.documentElement, root), { lang, dir });
+    const now = await shown(0);
+    expect(compare(now, forward).share < compare(now, back).share, lang).toBe(isTurned);
+  }
 });
 
 test('turns two viewers together, as one step of each, and follows the camera in a drag', async ({
