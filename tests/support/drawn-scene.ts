@@ -1,4 +1,5 @@
 // What a viewer draws, for the ray caster: its meshes' triangles, its camera and its lights.
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import type { Locator } from '@playwright/test';
 import { basisOf } from '../../src/phong/camera/orbit.js';
 import type { PhongViewer } from '../../src/viewer/index.js';
@@ -13,7 +14,7 @@ interface DrawnMesh {
   };
   readonly material: {
     readonly surface: CastScene['objects'][number]['material'];
-    readonly look: { readonly baseColor: readonly [number, number, number] };
+    readonly look: { readonly baseColor: Vec3 };
   };
 }
 

@@ -1,4 +1,5 @@
 // The fragment at the origin of a floor, as shadeAt explains it.
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import { Mesh } from 'three';
 import type { FragmentExplanation } from '../../src/viewer/element/elements.js';
 import type { PhongViewer } from '../../src/viewer/element/phong-viewer.js';
@@ -14,8 +15,8 @@ import { light } from './arbitraries.js';
 export interface Explained extends ReferenceOptions {
   readonly lights?: readonly Partial<LightValues>[];
   readonly surface?: Partial<Surface>;
-  readonly normal?: readonly [number, number, number];
-  readonly eye?: readonly [number, number, number];
+  readonly normal?: Vec3;
+  readonly eye?: Vec3;
 }
 
 /** Lights are named by their numbers. */

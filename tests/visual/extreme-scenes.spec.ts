@@ -1,5 +1,6 @@
 // Does a scene look the same at every size? Compares tiny and huge scenes, fitted by `auto`, with
 // the same scene at size 1.
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import { compare, expect, pixels, test } from '../support/test.js';
 
 const size = { width: 160, height: 120 };
@@ -48,7 +49,7 @@ test('a scene of any size from 1e-20 to 1e12 looks as it does at size 1', async 
 });
 
 /** The same scene with its target elsewhere. The lamp's offset is exact there. */
-const placed = ([x, y, z]: readonly [number, number, number]) =>
+const placed = ([x, y, z]: Vec3) =>
   `<phong-viewer target="${x} ${y} ${z}" radius="3" theta="25" phi="65">
      <phong-mesh geometry="torus-knot" position="${x} ${y} ${z}" kd="200 120 60"></phong-mesh>
      <phong-light position="1 2 3 0" ambient="20" diffuse="100"></phong-light>

@@ -272,7 +272,7 @@ it('the point that is nearest to a place lies on a triangle, none is nearer, und
       const position = geometry.getAttribute('position');
       const corner = (i: number): Vec3 =>
         new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix).toArray();
-      const mixed = (weights: Vec3, [a, b, c]: readonly [number, number, number]) =>
+      const mixed = (weights: Vec3, [a, b, c]: Vec3) =>
         add(
           add(scale(corner(a), weights[0]), scale(corner(b), weights[1])),
           scale(corner(c), weights[2]),

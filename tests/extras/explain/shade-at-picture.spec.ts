@@ -1,6 +1,7 @@
 // Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of
 // toBlob, in 8-bit codes.
 
+import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { readFileSync } from 'node:fs';
 import { expect as equationExpect } from '../../support/built-playwright.js';
 import { patch, type Texel } from '../../support/gltf.js';
@@ -269,11 +270,10 @@ function blendedError({ drawn, explained, opacity }: Compared) {
 }
 
 type Scene = ReturnType<typeof randomScene>;
-type Triple = readonly [number, number, number];
 
 /** The same scene elsewhere. */
-function moved(scene: Scene, by: Triple): Scene {
-  const shift = (v: Triple): Triple => [v[0] + by[0], v[1] + by[1], v[2] + by[2]];
+function moved(scene: Scene, by: Vec3): Scene {
+  const shift = (v: Vec3): Vec3 => [v[0] + by[0], v[1] + by[1], v[2] + by[2]];
   return {
     ...scene,
     pose: { ...scene.pose, target: shift(scene.pose.target) },

@@ -1,5 +1,6 @@
 // Are back faces culled exactly where they cannot be seen?
 
+import type { Vec3 } from '../../../src/phong/math/vector.js';
 import {
   BoxGeometry,
   BufferGeometry,
@@ -21,7 +22,7 @@ const place = ({
   position = [0, 0, 0],
   rotation = [0, 0, 0],
   scale = [1, 1, 1],
-}: Partial<Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>> = {}) =>
+}: Partial<Record<'position' | 'rotation' | 'scale', Vec3>> = {}) =>
   new Matrix4().compose(
     new Vector3(...position),
     new Quaternion().setFromEuler(new Euler(...rotation)),
@@ -111,7 +112,7 @@ describe('back faces', () => {
     }
   });
 
-  it.each<[readonly [number, number, number], boolean]>([
+  it.each<[Vec3, boolean]>([
     [[-1, 1, 1], true],
     [[-1, -1, -1], true],
     [[1e-6, 1, 1], true],

@@ -15,7 +15,7 @@ import {
 } from '../../../src/phong/camera/drag.js';
 import { type PictureAxes, PointerGesture } from '../../../src/phong/camera/gesture.js';
 import { basisOf, Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
-import { dot, subtract } from '../../../src/phong/math/vector.js';
+import { type Vec3, dot, subtract } from '../../../src/phong/math/vector.js';
 
 const view = { width: 600, height: 400, fov: 45 };
 const limits = { min: 1e-3, max: 1e3 };
@@ -62,7 +62,7 @@ describe('turning', () => {
 
 describe('shifting', () => {
   /** Position of a world point in the picture, CSS pixels from its middle, right and down. */
-  function project(pose: Pose, point: readonly [number, number, number]) {
+  function project(pose: Pose, point: Vec3) {
     const { right, up, back } = basisOf(pose);
     const p = subtract(point, pose.target);
     const depth = pose.radius - dot(p, back);

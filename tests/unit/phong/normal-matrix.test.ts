@@ -1,6 +1,7 @@
 // Do normals get from model to shading space for every matrix that a mesh may have? Scales to 1e±12
 // and float32: the stress categories of meshes.
 
+import type { Vec3 } from '../../../src/phong/math/vector.js';
 import fc from 'fast-check';
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
@@ -20,7 +21,7 @@ const normals = (model: Matrix4) => {
   return out;
 };
 
-const through = (model: Matrix4, normal: readonly [number, number, number]) =>
+const through = (model: Matrix4, normal: Vec3) =>
   new Vector3(...normal).applyMatrix3(normals(model)).normalize();
 
 const angles = triple(fc.double({ min: -4, max: 4, noNaN: true }));

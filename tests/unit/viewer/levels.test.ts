@@ -189,7 +189,7 @@ describe('the number of segments that a shape needs', () => {
   it('is a number in every direction, whatever is rounded', () => {
     for (let theta = 0; theta < 360; theta += 1.7) {
       const { right, up, back } = basisOf({ theta, phi: 70 });
-      const eye = back.map((x) => 1.3719 * x) as unknown as readonly [number, number, number];
+      const eye = back.map((x) => 1.3719 * x) as unknown as Vec3;
       const view = { ...viewFrom(1), frame: { origin: [0, 0, 0] as const, eye, right, up, back } };
       expect(segmentsIn(view, 1000, sphere, at(0, 0, 0)), String(theta)).toBeGreaterThan(40);
     }
