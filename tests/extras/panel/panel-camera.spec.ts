@@ -6,19 +6,24 @@ import { button, field, opened, row, slider, titleOf } from './panel-rows.js';
 
 const scene = '<phong-viewer gui geometry="box" theta="30" phi="70"></phong-viewer>';
 
-test('shows θ, φ, radius and eye live while the picture is dragged', async ({ page, mount }) => {
+test('shows a drag of the picture live, moves the camera as "panel", and resets it', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
-  await expect(field(folder, 'θ azimuth °')).toHaveValue('30');
+  const start = await cameraOf(viewer);
+  const theta = field(folder, 'θ azimuth °');
+  await expect(theta).toHaveValue('30');
   await page.mouse.move(100, 100);
   await page.mouse.down();
   await page.mouse.move(160, 120);
-  await expect(field(folder, 'θ azimuth °')).toHaveValue('-6');
+  await expect(theta).toHaveValue('-6');
   await expect(field(folder, 'φ polar °')).toHaveValue('61');
   await expect(slider(folder, 'θ azimuth °')).toHaveValue('-6');
   await expect(slider(folder, 'θ azimuth °')).not.toHaveAttribute('style'); // the page restyles each
   await page.mouse.move(220, 120);
-  await expect(field(folder, 'θ azimuth °')).toHaveValue('-42');
+  await expect(theta).toHaveValue('-42');
   const { eye } = await cameraOf(viewer);
   const shown = (await row(folder, 'eye').locator('.lil-widget').textContent())!.split(', ');
   shown.forEach((n, i) => expect(Number(n)).toBeCloseTo(eye[i]!, 2));
@@ -28,30 +33,14 @@ test('shows θ, φ, radius and eye live while the picture is dragged', async ({ 
   await expect
     .poll(async () => Number(await field(folder, 'radius').inputValue()))
     .toBeCloseTo(radius, 3);
-});
 
-test('moves the camera with the source "panel", and resets it to the declared one', async ({
-  page,
-  mount,
-}) => {
-  const viewer = await mount(scene);
-  const folder = await opened(viewer, 'Camera');
-  const start = await cameraOf(viewer);
-  await page.mouse.move(100, 100);
-  await page.mouse.down();
-  await page.mouse.move(160, 120);
-  await page.mouse.up();
   const moves = await record(viewer, 'camera-change');
   await slider(folder, 'θ azimuth °').fill('75');
   await field(folder, 'φ polar °').fill('45.5');
   await field(folder, 'radius').fill('6');
   await field(folder, 'target y').fill('0.25');
-  expect(await cameraOf(viewer)).toMatchObject({
-    theta: 75,
-    phi: 45.5,
-    radius: 6,
-    target: [0, 0.25, 0],
-  });
+  const set = { theta: 75, phi: 45.5, radius: 6, target: [0, 0.25, 0] };
+  expect(await cameraOf(viewer)).toMatchObject(set);
   const heard = await moves.take();
   expect(heard.length).toBeGreaterThanOrEqual(4);
   for (const { detail } of heard) {
