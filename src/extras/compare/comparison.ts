@@ -240,7 +240,7 @@ export class Comparison implements ReactiveController {
   }
 
   /**
-   * The texts over the viewers: where none are given, the names that the viewers have themselves.
+   * The texts over the viewers. Without `labels` they are the viewers' own names.
    */
   #labelsOf(viewers: readonly PhongViewer[]): readonly string[] {
     const given = this.#values.labels?.split(',').map((text) => text.trim());

@@ -6,8 +6,8 @@ import type { Slices } from '../slices.js';
 import { uvNameOf } from './materials.js';
 
 /**
- * Whether some corner has a normal with a direction, and whether all have that can: triangles
- * without area cannot.
+ * `some`: a corner has a normal with a direction. `all`: so has every corner, but for those of
+ * triangles without area, which can have none.
  * @param corners null where each vertex is one.
  */
 export async function findNormals(

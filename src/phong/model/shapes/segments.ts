@@ -141,7 +141,7 @@ export function levelIn(
   return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
 }
 
-/** The level of a shape in view, in a reduced picture that is so high: its outline alone counts. */
+/** The level of a shape in a reduced picture of this height. Only its outline counts. */
 export function reducedLevelIn(
   view: Frustum,
   height: number,
@@ -178,9 +178,9 @@ function stepAt(segments: number): number {
 }
 
 /**
- * The least level with at least `segments`: a multiple of 8, above 64 of an eighth of the next
- * power of two, so that at most a quarter is more than needed and a camera that comes near passes
- * few levels.
+ * The least level with at least `segments`. Levels are multiples of 8; above 64, multiples of an
+ * eighth of the next power of two. So a level has at most a quarter more than needed, and a camera
+ * that comes near passes few levels.
  */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);

@@ -4,7 +4,7 @@ import type { LightsByName, PhongViewer } from '../elements.js';
 import { fieldsOf } from '../internals.js';
 
 export function setLights(viewer: PhongViewer, lights: LightsByName): void {
-  // Elements of their own check every value before the viewer's are touched.
+  // New elements check every value first: an error leaves the viewer's lights as they are.
   const wanted = entriesOf(lights).map(([name, values]) => {
     const light = document.createElement('phong-light');
     for (const [key, value] of [...entriesOf(values), ['name', name] as const]) {
