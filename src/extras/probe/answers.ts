@@ -228,10 +228,10 @@ export function typedNumber(text: string): Typed | null {
     .replace(/^۰\//, '0.') // Persian keyboards have no other decimal sign
     .replace(/\p{Nd}/gu, digitOf)
     .replace(/[−–]/g, '-')
-    .replace(/[,٫]/g, '.')
+    .replace(/[,٫،]/g, '.')
     .replace('٪', '%')
     .replace('⁄', '/')
-    .replace(/^[=≈~]\s*/, '')
+    .replace(/^[=≈~]\s*|\.$/g, '')
     .replace(/\s*[·⋅×x*]\s*10\s*\^\s*(?=[+-]?\d+$)/, 'e');
   const match =
     /^([+-]?(?:\d+\.?\d*|\.\d+))(?:e([+-]?\d+))?\s*(?:(%)|\/\s*(\d+\.?\d*|\.\d+))?$/i.exec(plain);

@@ -204,6 +204,8 @@ it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, 
     '= 75×10^-2',
     '~ 75 x 10^-2',
     '۰/۷۵',
+    '٠،٧٥',
+    '0.75.',
   ]) {
     expect(typedNumber(typed)?.value, typed).toBeCloseTo(0.75, 12);
   }
