@@ -85,8 +85,11 @@ const PATIENCE = 2000;
 /** Milliseconds: only after a quicker tile tiles grow. */
 const QUICK = 100;
 
-/** Pixels of the first tile, and of the smallest. */
-const FEWEST = 4;
+/**
+ * Pixels of the first tile, and of the smallest. An endless loop may do 1.25e8 at a pixel: with the
+ * slowest functions in it about 5e8 cycles of a GPU (estimated), a third of a second of a slow one.
+ */
+const FEWEST = 16;
 
 /**
  * What the loops of a tile may do, in what the guard counts: half a second in software. A frame that

@@ -383,7 +383,7 @@ export const UNUSUAL_ONES: Readonly<Record<string, string>> = {
 /** As much as the guard lets through, at some points only: tiles have grown by then. */
 export const SLOW = `${HEAD}
   vec3 x = p;
-  for (int i = 0; i < (gl_FragCoord.y > 50.0 ? 100 : 0); i++) for (int j = 0; j < 100; j++) { ${'x=sin(x+x.yzx);'.repeat(100)} }
+  for (int i = 0; i < (gl_FragCoord.y > 50.0 ? 100 : 0); i++) for (int j = 0; j < 100; j++) { ${'x=sin(x+x.yzx);'.repeat(40)} }
   return x;
 }`;
 
