@@ -16,11 +16,11 @@ import { LIMITS } from '../../phong/model/limits.js';
 import type { MeshState } from '../../phong/model/mesh-fields.js';
 import type { ContentPart } from '../../phong/model/model.js';
 import { sampledSegments } from '../../phong/model/shapes/segments.js';
-import { CLOSED, createGeometry } from '../../phong/model/shapes/shapes.js';
+import { CLOSED } from '../../phong/model/shapes/shapes.js';
 import type { CastCamera, CastMaterial, CastObject, CastOptions, CastScene } from './cast-scene.js';
 import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
-import { modelOf, type ModelPlace } from './models.js';
+import { Contents, type ModelPlace } from './models.js';
 import { countOf } from './placed.js';
 import { Screen } from './screen.js';
 import { measure } from '../../phong/geometry/bounds.js';
@@ -44,13 +44,14 @@ export async function castSceneOf(
   place: ModelPlace,
 ): Promise<CastScene> {
   const { values } = viewer;
+  const contents = new Contents(place);
   const { view, fov, theta, phi, reflection } = values;
   const { shows } = viewEntry(view);
   if (shows.by === 'triangles') throw new TypeError('a still cannot show view="triangles"');
   const scene = new Scene();
   const parts: PlacedPart[] = [];
   for (const state of [viewer as MeshState, ...meshes]) {
-    parts.push(...(await partsOf(state, values, place)));
+    parts.push(...(await partsOf(state, values, contents)));
     requireAtMost(parts.length, LIMITS.parts, 'draws', 'The still has');
   }
   for (const { object } of parts) {
@@ -69,7 +70,7 @@ export async function castSceneOf(
   const objects: CastObject[] = [];
   let triangles = 0;
   for (const part of parts) {
-    const object = await objectOf(part, values, seen);
+    const object = await objectOf(part, values, seen, contents);
     triangles += countOf(object.shape);
     requireAtMost(triangles, LIMITS.triangles, 'triangles', 'The still has');
     objects.push(object);
@@ -89,7 +90,7 @@ export async function castSceneOf(
 async function partsOf(
   state: MeshState,
   viewer: Readonly<ViewerValues>,
-  place: ModelPlace,
+  contents: Contents,
 ): Promise<PlacedPart[]> {
   const { geometry, src } = state.values;
   const matrix = matrixOf(state.values);
@@ -99,13 +100,13 @@ async function partsOf(
     return { state, part, shape, object };
   };
   if (src !== '') {
-    const model = await modelOf(state.values, viewer.crossOrigin, place);
+    const model = await contents.model(state.values, viewer.crossOrigin);
     return model.parts.map((part) => placed(part, null));
   }
   if (geometry === null) return [];
   const part: ContentPart = {
     name: geometry,
-    geometry: await createGeometry(geometry, undefined),
+    geometry: await contents.geometry(geometry, undefined, false),
     matrix: new Matrix4(),
     look: PLAIN_LOOK,
     sides: CLOSED.has(geometry) ? 'closed' : 'double',
@@ -118,42 +119,33 @@ async function objectOf(
   { state, part, shape: name, object }: PlacedPart,
   viewer: Readonly<ViewerValues>,
   seen: Seen,
+  contents: Contents,
 ): Promise<CastObject> {
   const { look, surface, sides, ...own } = appearanceOf(state, part);
   const shading = own.shading ?? viewer.shading;
   const matrix = object.matrixWorld.elements;
-  let { geometry } = part;
-  if (name !== null) {
-    const { segments } = state.values;
-    const fine =
-      segments === 'auto' && shading === 'phong'
-        ? sampledSegments(seen.view, seen.pixels, name, matrix)
-        : null;
-    if (fine !== null || segments !== 'auto') {
-      const count = fine ?? Number(segments);
-      geometry = await createGeometry(name, count, fine !== null);
-    }
-  }
+  const { segments } = state.values;
+  const isAuto = segments === 'auto';
+  const fine =
+    name !== null && isAuto && shading === 'phong'
+      ? sampledSegments(seen.view, seen.pixels, name, matrix)
+      : null;
+  const count = fine ?? (isAuto ? undefined : segments);
+  const geometry =
+    name === null ? part.geometry : await contents.geometry(name, count, fine !== null);
   const mesh = meshShape(geometry, look);
-  // A view of one term is without emissive and unlit colours.
-  const isTerm = termOf(viewer.view) !== null;
-  const { unlit, metalness, normalScale, opacity, alphaMode, alphaCutoff } = look;
   const material: CastMaterial = {
+    ...mesh.look,
     ...surface,
-    ...mesh.textures,
     shading,
     reflection: own.reflection ?? viewer.reflection,
     single: cullsBackFaces(sides, geometry, object.matrixWorld, seen.camera),
-    baseColor: isTerm && unlit ? ZERO : look.baseColor,
-    emissive: isTerm ? ZERO : look.emissive,
-    unlit,
-    metalness,
     lobeScale: look.roughness === null ? 1 : lobeScale(surface.shininess),
-    ...(look.roughness !== null && { roughness: look.roughness }),
-    normalScale,
-    opacity,
-    alphaMode,
-    alphaCutoff,
+    // A view of one term is without emissive and unlit colours.
+    ...(termOf(viewer.view) !== null && {
+      emissive: ZERO,
+      baseColor: look.unlit ? ZERO : look.baseColor,
+    }),
   };
   if (part.geometry.boundingSphere === null) {
     part.geometry.computeBoundingSphere(); // as three.js does before it sorts

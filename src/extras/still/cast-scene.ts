@@ -45,8 +45,8 @@ export interface CastMaterial extends Surface {
   readonly emissiveTexture?: CastTexture;
   /** Green multiplies `roughness`, blue the metalness. */
   readonly metalRoughTexture?: CastTexture;
-  /** Gives the exponent where there is such a texture. Default 1. */
-  readonly roughness?: number;
+  /** Gives the exponent where there is such a texture; null: the exponent is the material's own. */
+  readonly roughness?: number | null;
   readonly normalTexture?: CastTexture;
   readonly normalScale?: number;
   /** 0–1, default 1. */

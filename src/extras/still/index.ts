@@ -47,11 +47,13 @@ const MOST_PIXELS = 33554432;
  */
 export async function still(markup: string, options: StillOptions): Promise<Still> {
   const { width, height, base, background, onFile } = options;
-  const { warn = (message) => console.warn(message) } = options;
+  const { warn = console.warn } = options;
   // A file that is read without its encoding is none.
   if (typeof markup !== 'string') throw new TypeError('the markup of a still must be a string');
-  const isSize = [width, height].every((n) => Number.isInteger(n) && n >= 1);
-  if (!isSize || width * height > MOST_PIXELS) {
+  if (
+    ![width, height].every((n) => Number.isInteger(n) && n >= 1) ||
+    width * height > MOST_PIXELS
+  ) {
     throw new RangeError(`a still has whole numbers of pixels, at most ${String(MOST_PIXELS)}`);
   }
   if ([...(background ?? [])].some((code) => !(code >= 0 && code <= 255))) {

@@ -18,22 +18,10 @@ import {
 } from '../../phong/math/vector.js';
 import { EDGE, halfChord, power } from '../../phong/reference/equation.js';
 import type { CastCamera } from './cast-scene.js';
-import { type Cone, LightCells } from './light-cells.js';
-import { turned, unit } from './placed.js';
+import { LightCells } from './light-cells.js';
+import { unit } from './placed.js';
 
-/** `place` is the unit vector to a directional light; zero if it has none. */
-interface Prepared extends Cone {
-  /** Radians; at 180° no direction is compared. */
-  readonly aperture: number;
-  readonly light: Readonly<LightValues>;
-  /** Against the axis. */
-  readonly away: Vec3;
-  readonly ambient: Vec3;
-  readonly diffuse: Vec3;
-  readonly specular: Vec3;
-  /** Its part in the pieces of the points that it reaches. */
-  readonly mark: number;
-}
+type Prepared = ReturnType<typeof prepared>;
 
 /** Cosines this far from the cone's decide without the angle. Their own error is below 1e-15. */
 const CLEAR = 1e-7;
@@ -42,7 +30,7 @@ export class LightSums {
   /** Ambient, diffuse and specular light at the last point, r g b each. */
   readonly sums = new Float64Array(9);
   /** N·L, the lobe's cosine, attenuation and decay of the last light; no term is 0 by them. */
-  readonly last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
+  last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
   /** Equal where the same lights' cones and horizons hold the point. */
   piece = 0;
   /** Of all lights. */
@@ -69,7 +57,7 @@ export class LightSums {
 
   /** Sums at a point with unit vectors N (or zero) and V. `n`: the exponent. */
   at(p: Vec3, N: Vec3, V: Vec3, n: number, isBlinn: boolean): void {
-    const { sums, last } = this;
+    const { sums } = this;
     sums.fill(0);
     let piece = 0;
     for (const each of this.#cells.at(p)) {
@@ -86,7 +74,7 @@ export class LightSums {
       // By chords: behind the spot (1 + c) / 2 would lose all digits.
       const decay =
         isSpot && light.cutoff >= LEAST_EXPONENT
-          ? power(halfChord(L, axis) / 2, halfChord(L, each.away) / 2, light.cutoff)
+          ? power(halfChord(L, axis) / 2, halfChord(L, scale(axis, -1)) / 2, light.cutoff)
           : 1;
       const NoL = dot(N, L);
       if (inside) {
@@ -96,10 +84,7 @@ export class LightSums {
       const lobe = isBlinn ? unit(add(L, V)) : subtract(scale(N, 2 * NoL), L);
       const middle = isBlinn ? N : V;
       const RoV = dot(lobe, middle);
-      last.NoL = NoL;
-      last.RoV = RoV;
-      last.att = att;
-      last.decay = decay;
+      this.last = { NoL, RoV, att, decay };
       if (!inside) continue;
       const lit = NoL > 0 ? att * decay : 0;
       const spec = lit > 0 ? lit * power(RoV, halfChord(lobe, middle), n) : 0;
@@ -126,29 +111,32 @@ function prepared(
   { eye, right, up, back }: CastCamera,
   linear: boolean,
   mark: number,
-): Prepared {
+) {
   const [x, y, z, w] = light.position;
   const positional = w === 1;
-  const axes = { x: right, y: up, z: back, origin: eye };
   const ofCamera = light.space === 'camera';
-  const given: Vec3 = ofCamera ? turned(axes, [x, y, z]) : [x, y, z];
+  const turned = ([a, b, c]: Vec3): Vec3 =>
+    ofCamera ? add(add(scale(right, a), scale(up, b)), scale(back, c)) : [a, b, c];
+  const given = turned([x, y, z]);
   const color = (c255: Vec3): Vec3 =>
     map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
   const isSpot = light.aperture < 180 || light.cutoff >= LEAST_EXPONENT;
-  const along = normalize(ofCamera ? turned(axes, light.axis) : light.axis);
+  const along = normalize(turned(light.axis));
   const axis = scale(along, Number(isSpot));
   return {
     positional,
+    /** The unit vector to a directional light; zero if it has none. */
     place: !positional ? normalize(given) : ofCamera ? given : subtract(given, eye),
     axis,
-    away: scale(axis, -1),
     cosine: cosDegrees(light.aperture),
     sine: sinDegrees(light.aperture),
+    /** Radians; at 180° no direction is compared. */
     aperture: radians(light.aperture),
     light,
     ambient: color(light.ambient),
     diffuse: color(light.diffuse),
     specular: color(light.specular),
+    /** Its part in the pieces of the points that it reaches. */
     mark,
   };
 }

@@ -27,11 +27,23 @@ type Textures = Pick<
   'texture' | 'emissiveTexture' | 'metalRoughTexture' | 'normalTexture'
 >;
 
+type MeshShape = ReturnType<typeof makeShape>;
+
+/** Instances share their shape. */
+const known = new WeakMap<BufferGeometry, Map<BaseLook, MeshShape>>();
+
 /** The triangles of a geometry, and the maps of a look with coordinates of their own. */
-export function meshShape(
+export function meshShape(geometry: BufferGeometry, look: BaseLook): MeshShape {
+  const shapes = known.get(geometry) ?? new Map<BaseLook, MeshShape>();
+  const made = shapes.get(look) ?? makeShape(geometry, look);
+  known.set(geometry, shapes.set(look, made));
+  return made;
+}
+
+function makeShape(
   geometry: BufferGeometry,
-  { map, emissiveMap, metalRoughMap, normalMap, vertexColors }: BaseLook,
-): { readonly shape: CastShape; readonly textures: Textures } {
+  { map, emissiveMap, metalRoughMap, normalMap, vertexColors, ...plain }: BaseLook,
+) {
   const uvs: Float64Array[] = [];
   const textureOf = (name: keyof Textures, texture: Texture | null): Textures => {
     if (texture === null) return {};
@@ -41,7 +53,8 @@ export function meshShape(
     const [wrapS, wrapT] = [wrapOf(texture.wrapS), wrapOf(texture.wrapT)];
     return { [name]: { width, height, data, wrapS, wrapT, nearest, uv } satisfies CastTexture };
   };
-  const textures = {
+  const look = {
+    ...plain,
     ...textureOf('texture', map),
     ...textureOf('emissiveTexture', emissiveMap),
     ...textureOf('metalRoughTexture', metalRoughMap),
@@ -56,28 +69,25 @@ export function meshShape(
     ...(tangent !== undefined && normalMap !== null && { tangents: numbersOf(tangent) }),
     ...(color !== undefined &&
       vertexColors !== false && {
-        colors: withAlpha(color),
+        colors: numbersOf(color, 4),
         linearColors: vertexColors === 'linear',
       }),
     ...(index !== undefined && { index }),
   };
-  return { shape, textures };
+  return { shape, look };
 }
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-function numbersOf(attribute: Attribute): ArrayLike<number> {
+/** `size` numbers of each vertex; 1 for those that it has not. */
+function numbersOf(attribute: Attribute, size = attribute.itemSize): ArrayLike<number> {
   const { array, itemSize, count } = attribute;
-  if (!('data' in attribute) && array instanceof Float32Array) return array;
-  return Float64Array.from({ length: count * itemSize }, (_, i) =>
-    attribute.getComponent(Math.floor(i / itemSize), i % itemSize),
+  const isPlain = !('data' in attribute) && array instanceof Float32Array;
+  if (isPlain && size === itemSize) return array;
+  return Float64Array.from({ length: count * size }, (_, i) =>
+    i % size < itemSize ? attribute.getComponent(Math.floor(i / size), i % size) : 1,
   );
 }
-
-const withAlpha = (color: Attribute): Float64Array =>
-  Float64Array.from({ length: 4 * color.count }, (_, i) =>
-    i % 4 < color.itemSize ? color.getComponent(Math.floor(i / 4), i % 4) : 1,
-  );
 
 /**
  * The texture's own coordinates, moved as glTF says: scaled, turned, shifted. three.js's matrix needs

@@ -1,7 +1,9 @@
 // Models by the project's readers: files are read from disk or fetched, images are decoded by plain
 // JavaScript.
 import { clip } from '../../phong/fields/clip.js';
+import { NO_CLAIMS, plus, requireWithin } from '../../phong/model/budget.js';
 import type { MeshState } from '../../phong/model/mesh-fields.js';
+import { createGeometry } from '../../phong/model/shapes/shapes.js';
 import { type Content, ModelError } from '../../phong/model/model.js';
 import { readerCode } from '../../viewer/extra.js';
 import type { ViewerValues, Warn } from './markup.js';
@@ -20,40 +22,74 @@ export interface ModelPlace {
   readonly onFile?: ((url: URL, bytes: Uint8Array) => void) | undefined;
 }
 
-type Named = Pick<MeshState['values'], 'src' | 'type' | 'autoplay' | 'animationName'>;
+/** What the meshes of a scene show: equal contents are made once, and share their memory. */
+export class Contents {
+  readonly #place: ModelPlace;
+  readonly #made = new Map<string, unknown>();
+  /** By all models together. */
+  #claimed = NO_CLAIMS;
 
-/** In its first pose. @throws ModelError, and TypeError for an address that is none. */
-export async function modelOf(
-  { src, type, autoplay, animationName }: Named,
-  crossOrigin: ViewerValues['crossOrigin'],
-  { base, warn, onFile }: ModelPlace,
-): Promise<Content> {
-  const address = src as string; // markup has no files
-  if (!URL.canParse(address, base)) {
-    throw new TypeError(
-      `src=${JSON.stringify(clip(address))} is not an address without options.base`,
-    );
+  constructor(place: ModelPlace) {
+    this.#place = place;
   }
-  const { modelContent } = await import('../models/model-content.js');
-  const content = await modelContent(new URL(address, base), {
-    signal: new AbortController().signal,
-    anywhere: crossOrigin !== null,
-    type: type ?? '',
-    request: (file, redirect) => ({
-      response: fetchOrRead(file, redirect, onFile),
-      refusal: new Promise(() => undefined),
-      stop: () => undefined,
-    }),
-    decodeImage: async (file) => {
-      const { decodeImage } = await import('./images.js');
-      return decodeImage(file);
-    },
-    warn,
-  });
-  if (autoplay) {
-    content.motion?.pose(animationName, 0);
+
+  async geometry(...shape: Parameters<typeof createGeometry>) {
+    return this.#once(shape.join(), () => createGeometry(...shape));
   }
-  return content;
+
+  /** In its first pose. @throws ModelError, and TypeError for an address that is none. */
+  async model(
+    { src, type, autoplay, animationName }: MeshState['values'],
+    crossOrigin: ViewerValues['crossOrigin'],
+  ): Promise<Content> {
+    const named = [src, type, autoplay, animationName, crossOrigin];
+    return this.#once(JSON.stringify(named), async () => {
+      const address = src as string; // markup has no files
+      const { base } = this.#place;
+      if (!URL.canParse(address, base)) {
+        throw new TypeError(
+          `src=${JSON.stringify(clip(address))} is not an address without options.base`,
+        );
+      }
+      const url = new URL(address, base);
+      const content = await this.#read(url, type ?? '', crossOrigin !== null);
+      if (autoplay) {
+        content.motion?.pose(animationName, 0);
+      }
+      return content;
+    });
+  }
+
+  async #read(url: URL, type: string, anywhere: boolean) {
+    const { modelContent } = await import('../models/model-content.js');
+    const { warn, onFile } = this.#place;
+    const before = this.#claimed;
+    return modelContent(url, {
+      signal: new AbortController().signal,
+      anywhere,
+      type,
+      request: (file, redirect) => ({
+        response: fetchOrRead(file, redirect, onFile),
+        refusal: new Promise(() => undefined),
+        stop: () => undefined,
+      }),
+      decodeImage: async (file) => {
+        const { decodeImage } = await import('./images.js');
+        return decodeImage(file);
+      },
+      onClaim: (claimed) => {
+        this.#claimed = plus(before, claimed);
+        requireWithin(this.#claimed, 'The still has');
+      },
+      warn,
+    });
+  }
+
+  #once<T>(key: string, make: () => T): T {
+    const made = (this.#made.get(key) as T | undefined) ?? make();
+    this.#made.set(key, made);
+    return made;
+  }
 }
 
 async function fetchOrRead(

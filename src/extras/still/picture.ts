@@ -52,7 +52,7 @@ export function castRows(
     const middle = new Line(tracer, width, row + 0.5);
     bottom = new Line(tracer, width, row + 1);
     for (let column = 0; column < width; column++) {
-      if (!tracer.mayMeet(column, row)) continue;
+      if (tracer.listAt(column, row).length === 0) continue;
       const piece = middle.pieceAt(2 * column + 1);
       const isSmooth =
         middle.isAll(piece, column) &&

@@ -1,16 +1,17 @@
-// By pixel: the things that its rays may meet, so that most need not be asked. The nearest come
+// By pixel: the triangles that its rays may meet, so that most need not be asked. The nearest come
 // first, so that a ray ends its search where all others are farther than what it has met.
-import { length, type Vec3 } from '../../phong/math/vector.js';
+import { cross, dot, length, type Vec3 } from '../../phong/math/vector.js';
+import { countOf } from './placed.js';
 import type { Screen } from './screen.js';
+import type { ObjectSurface } from './surfaces.js';
+
+export type PixelLists = ReturnType<typeof pixelLists>;
 
 /** Pixels by which boxes are larger than they are, for the rounding of their corners. */
 const SLACK = 1e-6;
 
 /** Corners nearer to the eye's plane than this share of their distance have no sure pixel. */
 const LEAST_DEPTH = 1e-9;
-
-/** Share of its depth by which a thing may be met nearer than its corners, by rounding. */
-const NEARER = 1e-9;
 
 /** Most entries of all lists: 256 MB. 16 in each pixel on average are never too many. */
 const MOST_ENTRIES = 2 ** 26;
@@ -22,99 +23,102 @@ const ALWAYS_DEEP = 16;
  */
 const MOST_DEEP = 4096;
 
-export class PixelLists {
-  /** The things of pixel i are those from `starts[i]` to before `starts[i + 1]`. */
-  readonly starts: Int32Array;
-  things = new Int32Array();
-  /** No ray meets a thing nearer than this depth. */
-  readonly nears: Float64Array;
-  count = 0;
-  /** Distance of the farthest corner. */
-  reach = 0;
-  readonly #screen: Screen;
-  /** Left, right, top and bottom pixel of each thing. */
-  readonly #boxes: Int32Array;
+/** The bits of a depth that give way to a triangle's number. */
+const NUMBER = 2 ** 24 - 1;
 
-  /** `most`: things. */
-  constructor(screen: Screen, most: number) {
-    this.starts = new Int32Array(screen.width * screen.height + 1);
-    this.nears = new Float64Array(most);
-    this.#screen = screen;
-    this.#boxes = new Int32Array(4 * most);
-  }
-
-  /**
-   * Adds the thing that lies between these corners, as seen from the eye. False, and it has no
-   * number, if no ray meets it. Behind the eye nothing is sure: all pixels may.
-   */
-  add(corners: readonly Vec3[]): boolean {
-    const { width, height } = this.#screen;
-    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
-    let [near, far, unsure] = [Infinity, -Infinity, false];
-    for (const corner of corners) {
-      const { x, y, depth } = this.#screen.project(corner);
-      const distance = length(corner);
-      this.reach = Math.max(this.reach, distance);
-      near = Math.min(near, depth);
-      far = Math.max(far, depth);
-      unsure ||= depth <= LEAST_DEPTH * distance;
-      left = Math.min(left, x);
-      right = Math.max(right, x);
-      top = Math.min(top, y);
-      bottom = Math.max(bottom, y);
+/**
+ * Made once, and read by all threads: in shared memory where there is such. @throws RangeError if too
+ * many surfaces are one before the other.
+ */
+export function pixelLists(screen: Screen, surfaces: readonly ObjectSurface[]) {
+  const { width, height } = screen;
+  const most = surfaces.reduce((sum, { shape }) => sum + countOf(shape), 0);
+  const boxes = new Int32Array(4 * most);
+  // By depth, whose last digits are the triangle's number: numbers alone are sorted fast.
+  const order = new Float64Array(most);
+  const bits = new Uint32Array(order.buffer);
+  const objects = sharedList(most);
+  const starts = sharedList(width * height + 1);
+  let [thing, count, entries, reach] = [0, 0, 0, 0];
+  for (const [i, surface] of surfaces.entries()) {
+    const { mirrored, object } = surface;
+    const isSingle = object.material.single === true;
+    for (let triangle = 0; triangle < countOf(surface.shape); triangle++, thing++) {
+      objects[thing] = i;
+      const corners = surface.cornersOf(triangle);
+      const [a, b, c] = corners;
+      if (isSingle && dot(a, cross(b, c)) < 0 === mirrored) continue;
+      reach = Math.max(reach, length(a), length(b), length(c));
+      const box = boxOf(corners, screen);
+      if (box === null) continue;
+      boxes.set(box, 4 * thing);
+      order[count] = Math.max(0, nearOf(corners, screen));
+      bits[2 * count] = (bits[2 * count]! & ~NUMBER) | thing;
+      count += 1;
+      entries += (box[1]! - box[0]! + 1) * (box[3]! - box[2]! + 1);
     }
-    if (unsure) {
-      [left, right, top, bottom] = [0, width, 0, height];
-    }
-    left = Math.max(0, Math.floor(left - SLACK));
-    right = Math.min(width - 1, Math.floor(right + SLACK));
-    top = Math.max(0, Math.floor(top - SLACK));
-    bottom = Math.min(height - 1, Math.floor(bottom + SLACK));
-    if (!(far > 0 && left <= right && top <= bottom)) return false;
-    this.#boxes.set([left, right, top, bottom], 4 * this.count);
-    this.nears[this.count++] = near - NEARER * Math.abs(near);
-    return true;
   }
-
-  /**
-   * Makes the lists; after the last thing. @throws RangeError if too many are one before the other.
-   */
-  sort(): void {
-    const { nears, starts } = this;
-    const { width, height } = this.#screen;
-    const boxes = this.#boxes;
-    const order = Int32Array.from({ length: this.count }, (_, i) => i);
-    // Where several coincide, the last one shows: it comes first.
-    order.sort((i, j) => nears[i]! - nears[j]! || j - i);
-    const entries = order.reduce(
-      (sum, i) =>
-        sum + (boxes[4 * i + 1]! - boxes[4 * i]! + 1) * (boxes[4 * i + 3]! - boxes[4 * i + 2]! + 1),
-      0,
+  const limit = Math.min(MOST_ENTRIES, MOST_DEEP * width * height);
+  if (entries > Math.max(limit, ALWAYS_DEEP * width * height)) {
+    const size = `${String(width)} × ${String(height)}`;
+    throw new RangeError(
+      `a still of ${size} pixels cannot hold so many surfaces before and behind each other: ${entries.toLocaleString('en')} in all pixels together`,
     );
-    const most = Math.min(MOST_ENTRIES, MOST_DEEP * width * height);
-    if (entries > Math.max(most, ALWAYS_DEEP * width * height)) {
-      const size = `${String(width)} × ${String(height)}`;
-      throw new RangeError(
-        `a still of ${size} pixels cannot hold so many surfaces before and behind each other: ${entries.toLocaleString('en')} in all pixels together`,
-      );
-    }
-    const each = (visit: (pixel: number, thing: number) => void): void => {
-      for (const thing of order) {
-        const at = 4 * thing;
-        for (let y = boxes[at + 2]!; y <= boxes[at + 3]!; y++) {
-          for (let x = boxes[at]!; x <= boxes[at + 1]!; x++) {
-            visit(y * width + x, thing);
-          }
+  }
+  order.subarray(0, count).sort();
+  const each = (visit: (pixel: number, thing: number) => void): void => {
+    for (let i = 0; i < count; i++) {
+      const number = bits[2 * i]! & NUMBER;
+      const at = 4 * number;
+      for (let y = boxes[at + 2]!; y <= boxes[at + 3]!; y++) {
+        for (let x = boxes[at]!; x <= boxes[at + 1]!; x++) {
+          visit(y * width + x, number);
         }
       }
-    };
-    each((pixel) => (starts[pixel + 1]! += 1));
-    for (let i = 0; i < width * height; i++) {
-      starts[i + 1]! += starts[i]!;
     }
-    const things = new Int32Array(entries);
-    const next = starts.slice();
-    each((pixel, thing) => (things[next[pixel]!++] = thing));
-    this.things = things;
+  };
+  each((pixel) => (starts[pixel + 1]! += 1));
+  for (let i = 0; i < width * height; i++) {
+    starts[i + 1]! += starts[i]!;
   }
+  const things = sharedList(entries);
+  const next = starts.slice();
+  each((pixel, number) => (things[next[pixel]!++] = number));
+  return {
+    /** The things of pixel i are those from `starts[i]` to before `starts[i + 1]`. */
+    starts,
+    /** Numbers of triangles, counted through all objects. */
+    things,
+    /** By thing. */
+    objects,
+    /** Distance of the farthest corner. */
+    reach,
+  };
+}
+
+const sharedList = (size: number) => {
+  const Memory = 'SharedArrayBuffer' in globalThis ? SharedArrayBuffer : ArrayBuffer;
+  return new Int32Array(new Memory(4 * size));
+};
+
+/** Depth of the nearest corner. */
+export const nearOf = (corners: readonly Vec3[], { camera }: Screen): number =>
+  -Math.max(...corners.map((corner) => dot(corner, camera.back)));
+
+/**
+ * The left, right, top and bottom pixel of the rays that may meet what lies between these corners, as
+ * seen from the eye; null if there is none. Behind the eye nothing is sure: all pixels may.
+ */
+function boxOf(corners: readonly Vec3[], screen: Screen) {
+  const seen = corners.map((corner) => screen.project(corner));
+  if (!seen.some(({ depth }) => depth > 0)) return null;
+  const isUnsure = seen.some(({ depth }, i) => depth <= LEAST_DEPTH * length(corners[i]!));
+  const span = (axis: 'x' | 'y', size: number): readonly [number, number] => {
+    const all = isUnsure ? [0, size] : seen.map((place) => place[axis]);
+    const last = Math.floor(Math.max(...all) + SLACK);
+    return [Math.max(0, Math.floor(Math.min(...all) - SLACK)), Math.min(size - 1, last)];
+  };
+  const [left, right] = span('x', screen.width);
+  const [top, bottom] = span('y', screen.height);
+  return left <= right && top <= bottom ? [left, right, top, bottom] : null;
 }

@@ -1,6 +1,7 @@
 // Shares the rows of a picture among threads. Which thread casts a row changes nothing.
 import { castRows } from './picture.js';
 import type { CastOptions, CastScene } from './cast-scene.js';
+import type { PixelLists } from './pixel-lists.js';
 import { Tracer } from './tracer.js';
 
 /** What a thread gets. The arrays are shared. */
@@ -11,15 +12,17 @@ export interface CastJob {
   readonly next: Int32Array;
   /** r, g, b, a of each pixel; see {@link castRows}. */
   readonly means: Float64Array;
+  /** Default: the thread's own. */
+  readonly lists?: PixelLists;
 }
 
 /** Rows that a thread takes at a time: small enough that all end together. */
 const BAND = 8;
 
 /** Casts rows until none is left. */
-export function castShare({ scene, options, next, means }: CastJob): void {
+export function castShare({ scene, options, next, means, lists }: CastJob): void {
   const { width, height } = options;
-  const tracer = new Tracer(scene, width, height);
+  const tracer = new Tracer(scene, width, height, lists);
   for (;;) {
     const from = Atomics.add(next, 0, BAND);
     if (from >= height) return;
@@ -44,7 +47,8 @@ export async function castOnThreads(
   const { Worker: Thread } = await import('node:worker_threads');
   const next = new Int32Array(new SharedArrayBuffer(4));
   const means = new Float64Array(new SharedArrayBuffer(32 * options.width * options.height));
-  const workerData: CastJob = { scene, options, next, means };
+  const { lists } = new Tracer(scene, options.width, options.height);
+  const workerData: CastJob = { scene, options, next, means, lists };
   const thread = (): Promise<void> =>
     new Promise((resolve, reject) => {
       // Not the flags of who calls: --input-type would stop a thread.

@@ -3,7 +3,9 @@ import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { still } from 'phong-viewer/still';
 import { readPage } from '../../../src/extras/still/command/page.js';
+import { castSceneOf } from '../../../src/extras/still/build-scene.js';
 import { decodeImage } from '../../../src/extras/still/images.js';
+import { readMarkup } from '../../../src/extras/still/markup.js';
 import { checksum } from '../../../src/extras/png/chunks.js';
 import { patch } from '../../support/gltf.js';
 
@@ -201,6 +203,35 @@ describe('a still', () => {
       expect(pixels.filter((value, i) => i % 4 === 3 && value === 255).length).toBeGreaterThan(50);
     },
   );
+});
+
+describe('a still of many meshes', () => {
+  it('reads a file once, and lets meshes share the triangles of their shape', async () => {
+    const read: string[] = [];
+    const model = `<phong-mesh src="${fixture('coloured.ply')}"></phong-mesh>`;
+    const ball = '<phong-mesh geometry="sphere"></phong-mesh>';
+    const markup = `<phong-viewer>${(model + ball).repeat(3)}</phong-viewer>`;
+    const warn = (): void => undefined;
+    const { objects } = await castSceneOf(
+      readMarkup(markup, warn),
+      { width: SIZE, height: SIZE },
+      { base: undefined, warn, onFile: ({ href }) => read.push(href) },
+    );
+    expect(new Set(objects.map(({ shape }) => shape)).size).toBe(2);
+    expect(read).toHaveLength(1);
+  });
+
+  it('counts what its models claim together', async () => {
+    const src = (own: number): string => {
+      const json = JSON.parse(atob(patch({ material: {} }).split(',')[1]!)) as object;
+      const text = JSON.stringify({ ...json, extras: Array.from({ length: 1.2e6 }, () => own) });
+      return `data:,${encodeURIComponent(text)}`;
+    };
+    const models = [1, 2].map((own) => `<phong-mesh src="${src(own)}"></phong-mesh>`);
+    await expect(draw(front(models.join('')))).rejects.toThrow(
+      /^The still has 2,4.* values in its JSON/,
+    );
+  });
 });
 
 describe('values in a still’s markup', () => {

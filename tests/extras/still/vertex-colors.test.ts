@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { srgbEncode } from '../../../src/phong/math/color.js';
 import { Hit } from '../../../src/extras/still/hit.js';
-import { ObjectSurface, SurfacePoint } from '../../../src/extras/still/surfaces.js';
+import { ObjectSurface } from '../../../src/extras/still/surfaces.js';
 
 it.each([
   ['encoded ones in sRGB', false, false, 0.5],
@@ -19,8 +19,7 @@ it.each([
   const white = [255, 255, 255] as const;
   const material = { ka: white, kd: white, ks: white, shininess: 1, unlit: true };
   const options = { linear } as ConstructorParameters<typeof ObjectSurface>[2];
-  const point = new SurfacePoint();
   const surface = new ObjectSurface({ shape, material }, [0, 0, 0], options);
-  surface.at({ ...new Hit(), triangle: 0, a: 0.5, b: 0.5 }, point);
-  expect(point.base.map((c) => c.toFixed(12))).toEqual([half, half, 0].map((c) => c.toFixed(12)));
+  const { base } = surface.at({ ...new Hit(), triangle: 0, a: 0.5, b: 0.5 });
+  expect(base.map((c) => c.toFixed(12))).toEqual([half, half, 0].map((c) => c.toFixed(12)));
 });

@@ -17,30 +17,7 @@ export interface Edit {
   readonly text: string;
 }
 
-/** A viewer of the page. */
-export interface PageViewer {
-  /** In the file, from 1. */
-  readonly line: number;
-  /** Its `id`, or its number on the page. */
-  readonly name: string;
-  /** As it is written, without its poster. */
-  readonly markup: string;
-  /**
-   * Of its picture, without the place of its panel. `unstated`: of a viewer whose size the page does
-   * not say in pixels.
-   */
-  pictureSize(unstated: Size | null): Size | null;
-  /** The size of the image in its slot. */
-  readonly posterSize: Size | null;
-  /** What its style says; null for nothing. */
-  readonly background: string | null;
-  /** Why no poster of it is made; null for no reason. */
-  readonly skipped: string | null;
-  /** The address of the image in its slot; null for no image. */
-  readonly poster: string | null;
-  /** The edits that give the slot an image of this address and size. */
-  withPoster(src: string, size: Size): readonly Edit[];
-}
+export type PageViewer = ReturnType<typeof pageViewer>;
 
 export interface Page {
   readonly viewers: readonly PageViewer[];
@@ -70,12 +47,8 @@ export const edited = (text: string, edits: readonly Edit[]): string =>
     .sort((a, b) => b.start - a.start)
     .reduce((all, { start, end, text: own }) => all.slice(0, start) + own + all.slice(end), text);
 
-function pageViewer(
-  text: string,
-  element: Element,
-  number: number,
-  rules: readonly Rule[],
-): PageViewer {
+/** A viewer of the page. */
+function pageViewer(text: string, element: Element, number: number, rules: readonly Rule[]) {
   const place = element.sourceCodeLocation!;
   const { startTag } = place;
   const problem = (what: string): Error => new Error(`${String(place.startLine)}: ${what}`);
@@ -97,15 +70,28 @@ function pageViewer(
     skipped = `has a poster of its own, <${image.tagName}>`;
   }
   return {
+    /** In the file, from 1. */
     line: place.startLine,
+    /** Its `id`, or its number on the page. */
     name: attribute(element, 'id') || String(number),
+    /** As it is written, without its poster. */
     markup: without(image, text.slice(place.startOffset, place.endOffset), place.startOffset),
-    pictureSize: (unstated) => besidePanel(element, sizeOf(element, style) ?? unstated),
+    /**
+     * Of its picture, without the place of its panel. `unstated`: of a viewer whose size the page does
+     * not say in pixels.
+     */
+    pictureSize: (unstated: Size | null) =>
+      besidePanel(element, sizeOf(element, style) ?? unstated),
+    /** The size of the image in its slot. */
     posterSize: image === undefined ? null : sizeOf(image, ''),
+    /** What its style says; null for nothing. */
     background: declared(style, 'background-color') ?? declared(style, 'background'),
+    /** Why no poster of it is made; null for no reason. */
     skipped,
+    /** The address of the image in its slot; null for no image. */
     poster: image === undefined ? null : (attribute(image, 'src') ?? ''),
-    withPoster(src, { width, height }) {
+    /** The edits that give the slot an image of this address and size. */
+    withPoster(src: string, { width, height }: Size): readonly Edit[] {
       const values = { src, width: String(width), height: String(height) };
       if (image !== undefined) return valueEdits(image, values);
       const at = startTag.endOffset;

@@ -1,7 +1,7 @@
 // A poster's file: what it was drawn from stands in it, so that it is drawn again only when that
 // has changed.
 import { createHash } from 'node:crypto';
-import { readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { withText } from '../../png/chunks.js';
 import { PngTextError, textIn } from '../../png/read-text.js';
@@ -74,8 +74,9 @@ export async function staleness(png: Uint8Array, source: PosterSource): Promise<
   return changed === undefined ? null : `is of another ${changed}`;
 }
 
-/** Whether the command has made this file: no other is written over. */
-export const isPoster = async (png: Uint8Array): Promise<boolean> => (await stampOf(png)) !== null;
+/** Not there, or made by this command: no other file is written over. */
+export const isOwn = async (path: string) =>
+  !existsSync(path) || (await stampOf(readFileSync(path))) !== null;
 
 /** It may be a stranger's: its values can be anything. */
 async function stampOf(png: Uint8Array): Promise<Stamp | null> {

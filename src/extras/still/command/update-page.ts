@@ -4,7 +4,7 @@ import { basename, dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { cssColor } from '../css-colors.js';
 import { type Edit, edited, type Page, type PageViewer, readPage, type Size } from './page.js';
-import { drawPoster, isPoster, type PosterSource, staleness } from './poster.js';
+import { drawPoster, isOwn, type PosterSource, staleness } from './poster.js';
 
 export interface Settings {
   /** For viewers without a size of their own. */
@@ -186,13 +186,10 @@ class Targets {
       const path = this.#pathOf(poster);
       return { path: path !== null && (await isOwn(path)) ? path : null, src: poster };
     }
+    const words = name.replaceAll(/[^\p{L}\p{N}_-]+/gu, '-').slice(0, 50);
     for (let i = 1; ; i++) {
-      const words = [
-        this.#stem,
-        name.replaceAll(/[^\p{L}\p{N}_-]+/gu, '-').slice(0, 50),
-        ...(i > 1 ? [i] : []),
-      ];
-      const path = join(this.#folder, `${words.join('.')}.png`);
+      const more = i > 1 ? `.${String(i)}` : '';
+      const path = join(this.#folder, `${this.#stem}.${words}${more}.png`);
       const src = relative(fileURLToPath(new URL('.', this.base)), path).replaceAll('\\', '/');
       const address = src.split('/').map(encodeURIComponent).join('/');
       if (this.#taken.has(address) || !(await isOwn(path))) continue;
@@ -211,7 +208,3 @@ class Targets {
     return existsSync(path) || isBelow ? path : null;
   }
 }
-
-/** Not there, or made by this command. */
-const isOwn = async (path: string): Promise<boolean> =>
-  !existsSync(path) || isPoster(readFileSync(path));
