@@ -51,7 +51,8 @@ class Probe implements Extra {
     this.#host = host;
     this.#declared = host.values.probeAt;
     this.#view = new ProbeView(host, () => this.#release());
-    this.#listen();
+    this.#listenToPointer();
+    this.#listenToKeys();
     this.#view.show(null, false);
   }
 
@@ -84,28 +85,28 @@ class Probe implements Extra {
     this.#view.dispose();
   }
 
-  #listen(): void {
+  #on<K extends keyof HTMLElementEventMap>(
+    target: HTMLElement,
+    type: K,
+    listener: (event: HTMLElementEventMap[K]) => void,
+  ): void {
+    target.addEventListener(type, listener, { signal: this.#listening.signal });
+  }
+
+  #listenToPointer(): void {
     const { surface } = this.#host.tree;
-    const { cursor, root, place } = this.#view;
-    const boxes = [root, place];
-    const { signal } = this.#listening;
     let pressed: Point = { x: 0, y: 0 };
     let steady = false;
-    const on = <K extends keyof HTMLElementEventMap>(
-      target: HTMLElement,
-      type: K,
-      listener: (event: HTMLElementEventMap[K]) => void,
-    ): void => target.addEventListener(type, listener, { signal });
-    const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => ({
+    const placeOf = ({ offsetX, offsetY }: MouseEvent) => ({
       x: offsetX / this.#zoom,
       y: offsetY / this.#zoom,
     });
 
-    on(surface, 'pointerdown', ({ clientX, clientY, isPrimary }) => {
+    this.#on(surface, 'pointerdown', ({ clientX, clientY, isPrimary }) => {
       pressed = { x: clientX, y: clientY };
       steady = isPrimary; // a second finger pinches
     });
-    on(surface, 'pointermove', (event) => {
+    this.#on(surface, 'pointermove', (event) => {
       const { clientX, clientY, buttons, pointerType } = event;
       if (buttons === 0) {
         if (pointerType !== 'touch') {
@@ -119,27 +120,32 @@ class Probe implements Extra {
         this.#moveTo(null);
       }
     });
-    on(surface, 'pointerleave', () => this.#moveTo(null));
-    on(surface, 'click', (event) => {
+    this.#on(surface, 'pointerleave', () => this.#moveTo(null));
+    this.#on(surface, 'click', (event) => {
       if (steady) {
         this.#pinAt(placeOf(event));
       }
       steady = false;
     });
+  }
 
-    on(cursor, 'focus', () => {
+  #listenToKeys(): void {
+    const { surface } = this.#host.tree;
+    const { cursor, root, place } = this.#view;
+    const boxes = [root, place];
+    this.#on(cursor, 'focus', () => {
       if (this.#host.pin !== null || this.#declared !== null) return;
       this.#free ??= this.#view.middle;
       this.#follow();
     });
     for (const box of boxes) {
-      on(box, 'focusout', ({ relatedTarget }) => {
+      this.#on(box, 'focusout', ({ relatedTarget }) => {
         if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) {
           this.#moveTo(null);
         }
       });
     }
-    on(cursor, 'keydown', (event) => {
+    this.#on(cursor, 'keydown', (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       const arrow = ARROWS[event.key];
       const pixels = event.shiftKey ? STEP.coarse : STEP.fine;
@@ -154,7 +160,7 @@ class Probe implements Extra {
     });
     // Escape that removes a pin must do nothing else, such as closing a dialog around the viewer.
     for (const target of [surface, ...boxes]) {
-      on(target, 'keydown', (event) => {
+      this.#on(target, 'keydown', (event) => {
         if (event.key === 'Escape' && this.#release()) {
           event.preventDefault();
         }
