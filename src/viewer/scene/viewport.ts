@@ -85,7 +85,7 @@ export class Viewport {
   #share = 1;
   /** It always has all pixels. Default false. */
   isWhole = false;
-  /** When something changed last, and its animation frames since then. */
+  /** The first animation frame after the last change, and how many there were since then. */
   #changed = -Infinity;
   #unchanged = STILL_FRAMES;
   /** Drawing is slow, so its animation frames have to tell whether a motion goes on. */
@@ -232,15 +232,17 @@ export class Viewport {
   /** Before any picture of the frame is drawn, as they share the atlas. */
   #choosePixels(now: number): void {
     this.#unchanged += 1;
-    const isLate = this.#unchanged > STILL_FRAMES && now - this.#changed > STILL_MS;
-    const isStill = isLate && !this.#moving;
+    if (this.#unchanged === 1) {
+      this.#changed = now; // the browser may have waited for the picture, which is no rest
+    }
+    const isStill =
+      !this.#moving && this.#unchanged > STILL_FRAMES && now - this.#changed > STILL_MS;
     const draws = !this.upToDate || (this.reduced && isStill);
     if (draws) {
       this.#share = isStill || this.isWhole ? 1 : pace.share;
       this.#painted = NONE;
     }
     if (draws || this.#moving) {
-      this.#changed = now;
       this.#unchanged = 0;
     }
     this.#settles = this.reduced || (pace.share < 1 && (draws || !isStill));

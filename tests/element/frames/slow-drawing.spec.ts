@@ -75,11 +75,11 @@ test.beforeEach(async ({ page }) => {
       }, ms)) as typeof setTimeout;
     const request = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (run) =>
-      request((time) => {
+      request(() => {
         block();
         now += isAsked ? 0 : held.costs.interval;
         inFrame = true;
-        run(time);
+        run(now);
         inFrame = false;
       });
   }, size.width * size.height);
@@ -174,6 +174,24 @@ test('a picture whose canvas another viewer takes waits for no drawing', async (
     return [...waits, await next()];
   }, viewerOf());
   expect([then, drawn]).toEqual([waiting, waiting! + 1]);
+});
+
+test('a slow drag has fewer pixels too, as the wait for its pictures is no rest', async ({
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(), size);
+  await setCosts(viewer, { drawing: 400, interval: 16, blocks: true });
+  const widths = await viewer.evaluate(async (element) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const seen: number[] = [];
+    element.addEventListener('render', () => seen.push(canvas.width));
+    for (let frame = 0; seen.length < 9; frame++) {
+      element.theta = element.theta + Number(frame % 6 === 0);
+      await new Promise(requestAnimationFrame);
+    }
+    return seen;
+  });
+  expect(widths.slice(4)).toEqual(Array<number>(5).fill(100));
 });
 
 test('where vertices take the time, the pixels come back', async ({ mount }) => {

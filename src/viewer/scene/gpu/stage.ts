@@ -123,7 +123,14 @@ class Stage {
         drawInto(renderer, place, render);
         this.#drawn.set(viewport, place);
       }
-      this.#count();
+      if (!this.#inFrame) {
+        this.#inFrame = true;
+        this.#viewersDrawn = 0;
+        // Before the browser shows the page, and after the pace has asked the GPU: without GPU
+        // compositing a copy waits until all is drawn.
+        void Promise.resolve().then(this.#endFrame);
+      }
+      this.#viewersDrawn += 1;
       this.#context.checkLinks();
       return true;
     } catch (error) {
@@ -354,17 +361,6 @@ class Stage {
       }
     }
     this.#drawn.clear();
-  }
-
-  #count(): void {
-    if (!this.#inFrame) {
-      this.#inFrame = true;
-      this.#viewersDrawn = 0;
-      // Before the browser shows the page, and after the pace has asked the GPU: without GPU
-      // compositing a copy waits until all is drawn.
-      void Promise.resolve().then(this.#endFrame);
-    }
-    this.#viewersDrawn += 1;
   }
 
   readonly #endFrame = (): void => {
