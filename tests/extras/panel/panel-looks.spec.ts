@@ -112,7 +112,11 @@ for (const [width, height, of] of [
     for (const texts of firstOf([long, null], 1)) {
       await assign(viewer, { texts });
       for (const dir of ['rtl', 'ltr']) {
-        await page.evaluate((value) => (document.documentElement.dir = value), dir);
+        // The panel takes the page's direction when it is made.
+        await viewer.evaluate((element, value) => {
+          document.documentElement.dir = value;
+          element.shadowRoot!.querySelector<HTMLElement>('.lil-root')!.dir = value;
+        }, dir);
         await expectNothingCut(viewer);
       }
     }
