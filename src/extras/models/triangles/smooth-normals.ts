@@ -14,6 +14,8 @@ import { free } from '../limits.js';
  * sides or more (36°) are round.
  */
 const CREASE_COSINE = /* @__PURE__ */ cosDegrees(40);
+/** Faces within this angle of one of them all meet at less than the crease, rounding included. */
+const ALIKE_COSINE = /* @__PURE__ */ cosDegrees(19.9);
 /** Cosine of 120°: a neighbour in a sheet that turns by up to 60° there is on its other side. */
 const TURNED_AWAY = -0.5;
 
@@ -142,18 +144,24 @@ class Fan {
   write(lists: CornerLists, smoothed: boolean): void {
     const first = lists.normals.length / 3;
     const sum = this.#sum;
+    let areAlike = false;
+    let normal = first;
     for (let i = 0; i < this.#count; i += 1) {
-      if (smoothed) {
-        this.#smooth(i);
-      } else {
+      if (!areAlike) {
         this.#takeOwn(i);
+        areAlike = smoothed && this.#smooth(i);
+        lists.pushNormal(sum.x, sum.y, sum.z);
+        normal = mergedWithLast(lists, first);
       }
-      lists.pushNormal(sum.x, sum.y, sum.z);
-      lists.cornerNormals.array[this.#corners[i]!] = mergedWithLast(lists, first);
+      lists.cornerNormals.array[this.#corners[i]!] = normal;
     }
   }
 
-  #smooth(i: number): void {
+  /**
+   * Replaces the corner's own normal by that of the faces around it. True if all of them have the
+   * same sum, in the same order: usual, and no pairs need to be compared then.
+   */
+  #smooth(i: number): boolean {
     const x = this.#x[i]!;
     const y = this.#y[i]!;
     const z = this.#z[i]!;
@@ -167,13 +175,15 @@ class Fan {
     let sumY = 0;
     let sumZ = 0;
     let weights = 0;
+    let areAlike = group === UNSTATED;
     for (let j = 0; j < this.#count; j += 1) {
       const otherX = this.#x[j]!;
       const otherY = this.#y[j]!;
       const otherZ = this.#z[j]!;
+      const along = x * otherX + y * otherY + z * otherZ;
+      areAlike &&= along > ALIKE_COSINE && this.#groups[j] === group;
       if (this.#triangles[j] !== triangle) {
-        if (group === FACETED || this.#groups[j] !== group) continue;
-        if (x * otherX + y * otherY + z * otherZ < least) continue;
+        if (group === FACETED || this.#groups[j] !== group || along < least) continue;
       }
       const angle = this.#angles[j]!;
       sumX += angle * otherX;
@@ -184,13 +194,13 @@ class Fan {
     // Faces of both sides in one group cancel, and a face that is folded over would be lit from
     // behind.
     const along = sumX * x + sumY * y + sumZ * z;
-    if (x * x + y * y + z * z > 0 && !(along > CANCELLED * weights)) {
-      this.#takeOwn(i);
-      return;
+    if (!(x * x + y * y + z * z > 0) || along > CANCELLED * weights) {
+      this.#sum.x = sumX;
+      this.#sum.y = sumY;
+      this.#sum.z = sumZ;
+      return areAlike;
     }
-    this.#sum.x = sumX;
-    this.#sum.y = sumY;
-    this.#sum.z = sumZ;
+    return false;
   }
 
   /**
