@@ -2,6 +2,7 @@
 // into a document that runs and fetches nothing; only the package's elements and their documented
 // attributes are kept. Knows no viewer.
 import attributes from 'virtual:attributes';
+import { didYouMean } from '../../src/phong/fields/nearest.js';
 import { LONGEST_TEXT } from './address.js';
 import { sourceKind } from './sources.js';
 
@@ -73,7 +74,8 @@ class SceneReader {
   count = 0;
   readonly hosts = new Set<string>();
   readonly #base: string;
-  readonly #leftOut = new Set<string>();
+  /** What, and its name with those that may be meant. */
+  readonly #leftOut = new Map<string, readonly [name: string, known: Iterable<string>]>();
 
   constructor(base: string) {
     this.#base = base;
@@ -119,9 +121,11 @@ class SceneReader {
   }
 
   sentences(): readonly string[] {
-    const names = [...this.#leftOut];
-    const shown = names.slice(0, MOST_MESSAGES).map((name) => `Left out: ${name}.`);
-    const more = names.length - shown.length;
+    const all = [...this.#leftOut];
+    const shown = all
+      .slice(0, MOST_MESSAGES)
+      .map(([what, [name, known]]) => `Left out: ${what}.${didYouMean(clipped(name), [...known])}`);
+    const more = all.length - shown.length;
     return more > 0 ? [...shown, `And ${String(more)} more.`] : shown;
   }
 
@@ -129,7 +133,7 @@ class SceneReader {
     const { localName } = element;
     const known = isHtml(element) && documented.has(localName);
     if (known && localName !== VIEWER && localName !== COMPARISON) return NodeFilter.FILTER_ACCEPT;
-    this.#leave(`<${clipped(localName)}>`);
+    this.#leave(`<${clipped(localName)}>`, localName, documented.keys());
     // Lights may stand in wrappers. Those of another viewer belong to it.
     return localName === VIEWER ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_SKIP;
   }
@@ -140,7 +144,7 @@ class SceneReader {
     const kept = new Map<string, string>();
     for (const { name, value } of element.attributes) {
       if (names?.has(name) !== true) {
-        this.#leave(`${clipped(name)} of <${tag}>`);
+        this.#leave(`${clipped(name)} of <${tag}>`, name, names);
       } else if (!LOADING.has(name) || this.#mayLoad(name, value, tag)) {
         kept.set(name, value);
       }
@@ -161,8 +165,8 @@ class SceneReader {
     return true;
   }
 
-  #leave(what: string): void {
-    this.#leftOut.add(what);
+  #leave(what: string, name = '', known: Iterable<string> = []): void {
+    this.#leftOut.set(what, [name, known]);
   }
 }
 

@@ -195,13 +195,14 @@ test('the removed parts and bad values are named, briefly, without scrolling', a
   consoleGuard.allow(/expected/, 4);
   const many = Array.from({ length: 30 }, (_, i) => `<x-${i}-${'long'.repeat(50)}></x->`).join('');
   await page.goto(
-    `/demo/${linkTo(`<phong-viewer style="x" theta="x" phi="x" radius="x" fov="x"><script></script>${many}</phong-viewer>`)}`,
+    `/demo/${linkTo(`<phong-viewer style="x" foov="9" theta="x" phi="x" radius="x" fov="x"><script></script>${many}</phong-viewer>`)}`,
   );
   const messages = page.locator('#messages li');
   await expect(messages).toHaveCount(10);
   await expect(messages.last()).toBeInViewport();
   await expect(messages.nth(0)).toHaveText('Left out: style of <phong-viewer>.');
-  await expect(messages.nth(1)).toHaveText('Left out: <script>.');
+  await expect(messages.nth(1)).toHaveText('Left out: foov of <phong-viewer>. Did you mean "fov"?');
+  await expect(messages.nth(2)).toHaveText('Left out: <script>.');
   for (const message of await messages.allTextContents()) {
     expect(message.length).toBeLessThan(110);
   }
