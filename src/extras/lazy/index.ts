@@ -10,8 +10,12 @@ type Viewer = InstanceType<Elements['PhongViewer']>;
 
 const VIEWER = 'phong-viewer';
 
+const UNDEFINED = ':not(:defined)';
+
+const POSTER = '[slot=poster]';
+
 /** What the elements have to be fetched for: viewers, and what shows nothing without them. */
-const STILL = `:is(${VIEWER},phong-compare,phong-control,phong-probe,phong-exercise):not(:defined)`;
+const STILL = `:is(${VIEWER},phong-compare,phong-control,phong-probe,phong-exercise)${UNDEFINED}`;
 
 /**
  * Attributes of viewers that move, or show something that a poster does not, as the browser writes
@@ -19,22 +23,20 @@ const STILL = `:is(${VIEWER},phong-compare,phong-control,phong-probe,phong-exerc
  */
 const LIVELY = / (auto-rotate|autoplay|camera-group|gui|helpers|probe)="(?!false|0")/;
 
-const HOST = `:where(${VIEWER}:not(:defined))`;
+const HOST = `:where(${VIEWER}${UNDEFINED})`;
 
 /** The box that the element will have itself. Any rule of the page is stronger. */
 const BOX =
   `${HOST}{display:inline-block;width:300px;aspect-ratio:2;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
-  `${HOST}>[slot=poster]{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}` +
-  // Beside the place of a panel lies a picture of another shape, which the poster has.
-  `${HOST}[gui]>[slot=poster]{width:auto}`;
+  `${HOST}>${POSTER}{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}` +
+  // From 640 pixels on a panel of 306 lies beside the picture; see phong-viewer.css.
+  `${HOST}[gui]>${POSTER}{width:clamp(100% - 306px,639e3px - 99900%,100%)}`;
 
 /** The events of a drag that has begun, and those that ask for the elements. */
 const EVENTS = 'pointermove,pointerup,pointercancel,pointerdown,pointerover,focusin,keydown'.split(
   ',',
 );
 const CANCEL = 2;
-const DOWN = 3;
-const FOCUS = 5;
 
 /** A drag that began before the elements were there: its press, newest move and end. */
 let held: (PointerEvent | undefined)[] = [];
@@ -43,7 +45,7 @@ let heldOn: Viewer | undefined;
 /** Viewers that the keyboard reaches by an attribute that is not the page's. */
 const lent: Element[] = [];
 
-let elements: Promise<Elements> | undefined;
+let elements: Promise<Elements> | null = null;
 
 /**
  * Fetches the elements, once. Rejects if they cannot be fetched: then the posters stay, and the next
@@ -51,7 +53,7 @@ let elements: Promise<Elements> | undefined;
  */
 export function load(): Promise<Elements> {
   elements ??= import('../../viewer/index.js').then(leave);
-  elements.catch(() => (elements = undefined));
+  elements.catch(() => (elements = null));
   return elements;
 }
 
@@ -77,7 +79,7 @@ function prepare(): void {
   for (const element of page.querySelectorAll<HTMLElement>(STILL)) {
     if (element.localName === VIEWER) {
       const src = element.getAttribute('poster');
-      let poster = element.querySelector<HTMLImageElement>('[slot=poster]');
+      let poster = element.querySelector<HTMLImageElement>(POSTER);
       if (src && !poster) {
         poster = Object.assign(new Image(), { slot: 'poster', src });
         element.prepend(poster);
@@ -99,18 +101,20 @@ function prepare(): void {
 function hear(event: PointerEvent): void {
   const at = EVENTS.indexOf(event.type);
   const viewer = (event.composedPath() as Element[]).find((node) => node.localName === VIEWER);
-  const asks = at > CANCEL && viewer?.matches(':not(:defined)');
+  const asks = at > CANCEL && viewer?.matches(UNDEFINED);
   if (asks) {
     void load();
   }
-  if (at > FOCUS && !elements) {
+  // A key, which comes after the focus.
+  if (at > 5 && !elements) {
     // Before the key moves the focus: it can reach the viewers then.
     for (const unreached of page.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
       unreached.tabIndex = 0;
       lent.push(unreached);
     }
   }
-  if (asks && at === DOWN) {
+  // A press, which comes after the end.
+  if (asks && at === 3) {
     held = [event];
     heldOn = viewer as Viewer;
   } else if (event.pointerId === held[0]?.pointerId) {

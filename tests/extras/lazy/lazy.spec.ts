@@ -232,19 +232,20 @@ test('a viewer has the same box before as after, with any poster', async ({ page
   expect(await page.locator('phong-viewer').boundingBox()).toEqual((before as object[])[0]);
 });
 
-test('a poster of the shape of a picture beside a panel lies where that will be', async ({
-  page,
-  site,
-}) => {
+test('a poster beside a panel lies where the picture will be', async ({ page, site }) => {
   const send = await holdElements(page);
-  const rules = `${css} phong-viewer { width: 906px; height: 400px }`;
+  const rules = `${css} phong-viewer { width: 806px; height: 400px }`;
   await page.goto(site.page(figure('gui'), { css: rules, head }));
-  const box = { x: 60, y: 60, width: 600, height: 400 };
-  await expect.poll(() => page.locator('[slot=poster]').boundingBox()).toEqual(box);
+  const poster = page.locator('[slot=poster]');
+  const box = { x: 60, y: 60, width: 500, height: 400 };
+  await expect.poll(() => poster.boundingBox()).toEqual(box);
+  await page.locator('phong-viewer').evaluate((element) => (element.style.width = '639px'));
+  expect(await poster.boundingBox()).toEqual({ ...box, width: 639 });
+  await page.locator('phong-viewer').evaluate((element) => (element.style.width = ''));
   send();
   await waitForPicture(page);
   const surface = await page.locator('[part=surface]').boundingBox();
-  expect(surface!.width).toBeCloseTo(600, 0);
+  expect(surface!.width).toBeCloseTo(500, 0);
 });
 
 const shot = async (viewer: ViewerLocator): Promise<PNG> =>
