@@ -2,11 +2,10 @@
 // an event, the picture, nothing unhandled, no request, bounded memory. Memory is read from the
 // system, so only on Linux.
 import { readFileSync } from 'node:fs';
-import type { Browser, Locator, Page } from '@playwright/test';
-import type { PhongViewer } from '../element/support/viewer.js';
+import type { Browser, Page } from '@playwright/test';
 import { Random } from '../stress/random.js';
 import type { ConsoleGuard } from '../support/console-guard.js';
-import { expect, type Mount } from '../support/test.js';
+import { type ViewerLocator, expect, type Mount } from '../support/test.js';
 import { barClaimsGlb, barGlb, hostileFile, triangleGlb } from './models.js';
 
 /** Largest growth of the page's and the GPU's processes together, for any file. */
@@ -85,9 +84,9 @@ export async function fuzzModels(
 }
 
 /** The type of the event that ends the load, or the code of the error. */
-export function load(viewer: Locator, src: string): Promise<string> {
+export function load(viewer: ViewerLocator, src: string): Promise<string> {
   return viewer.evaluate(
-    (element: PhongViewer, [address, patience]) =>
+    (element, [address, patience]) =>
       new Promise<string>((resolve) => {
         const end = (outcome: string): void => {
           clearTimeout(late);
@@ -108,8 +107,8 @@ export function load(viewer: Locator, src: string): Promise<string> {
 }
 
 /** A small picture as text. */
-function pictureOf(viewer: Locator) {
-  return viewer.evaluate(async (element: PhongViewer) => {
+function pictureOf(viewer: ViewerLocator) {
+  return viewer.evaluate(async (element) => {
     const blob = await element.toBlob({ width: 30, height: 20 });
     return String.fromCharCode(...new Uint8Array(await blob.arrayBuffer()));
   });

@@ -1,7 +1,8 @@
 // Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's
 // log of WebGL (gl-log.ts).
 
-import type { Locator, Page } from '@playwright/test';
+import type { ViewerLocator } from '../../support/test.js';
+import type { Page } from '@playwright/test';
 import { drawnWith, glSpent, isSpecialised, isLit } from '../support/gl-log.js';
 import type { PhongViewer } from '../support/viewer.js';
 
@@ -22,8 +23,8 @@ export async function drawFrames(page: Page, frames: number): Promise<void> {
 }
 
 /** Moves every light in each of this many frames. In software the general program draws them. */
-export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
-  viewer.evaluate(async (element: PhongViewer, count) => {
+export const moveFor = (viewer: ViewerLocator, frames: number): Promise<void> =>
+  viewer.evaluate(async (element, count) => {
     for (let frame = 0; frame < count; frame++) {
       for (const light of element.lights) {
         const [x, y, z, w] = light.position;

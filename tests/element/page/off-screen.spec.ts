@@ -1,8 +1,7 @@
 // What does a viewer do while it is out of view, for each value of `loading`? Screen and window are
 // 700 px high.
 
-import type { Locator } from '@playwright/test';
-import { allReady, expect, test } from '../../support/test.js';
+import { type ViewerLocator, allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, expectIdle } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
@@ -11,7 +10,7 @@ const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
 const viewer = (attributes = '') =>
   `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
-const frames = (element: Locator) => element.evaluate(({ stats }: PhongViewer) => stats.frames);
+const frames = (element: ViewerLocator) => element.evaluate(({ stats }) => stats.frames);
 const above = (height: number) => `main { padding: ${height}px 0 5000px }`;
 
 test.beforeEach(({ page }) => countEverything(page));

@@ -3,27 +3,29 @@
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
-import { pixels, type Picture } from '../../support/test.js';
+import { type ViewerLocator, pixels, type Picture } from '../../support/test.js';
 
 export type { CameraState, PhongLight, PhongMesh, PhongViewer };
 
 /** The viewer's current camera. */
-export const cameraOf = (viewer: Locator): Promise<CameraState> =>
-  viewer.evaluate((element: PhongViewer) => element.camera);
+export const cameraOf = (viewer: ViewerLocator): Promise<CameraState> =>
+  viewer.evaluate((element) => element.camera);
 
-export const statsOf = (viewer: Locator): Promise<PhongViewer['stats']> =>
-  viewer.evaluate((element: PhongViewer) => element.stats);
+export const statsOf = (viewer: ViewerLocator): Promise<PhongViewer['stats']> =>
+  viewer.evaluate((element) => element.stats);
 
 /** The samples of the picture that is shown. */
-export const samplesOf = async (viewer: Locator): Promise<number> =>
+export const samplesOf = async (viewer: ViewerLocator): Promise<number> =>
   (await statsOf(viewer)).samples;
 
-export const htmlOf = (viewer: Locator): Promise<string> =>
-  viewer.evaluate((element: PhongViewer) => element.toHTML());
+export const htmlOf = (viewer: ViewerLocator): Promise<string> =>
+  viewer.evaluate((element) => element.toHTML());
 
 /** Width and height in device pixels; -1 without a canvas. */
-export const canvasSize = (viewer: Locator): Promise<readonly [width: number, height: number]> =>
-  viewer.evaluate((element: PhongViewer) => {
+export const canvasSize = (
+  viewer: ViewerLocator,
+): Promise<readonly [width: number, height: number]> =>
+  viewer.evaluate((element) => {
     const canvas = element.shadowRoot?.querySelector('canvas');
     return [canvas?.width ?? -1, canvas?.height ?? -1] as const;
   });
@@ -115,12 +117,12 @@ export async function holdBack(page: Page, addresses: string | RegExp): Promise<
 }
 
 /** Waits for the viewer's `ready`. */
-export const settled = (viewer: Locator): Promise<void> =>
-  viewer.evaluate((element: PhongViewer) => element.ready);
+export const settled = (viewer: ViewerLocator): Promise<void> =>
+  viewer.evaluate((element) => element.ready);
 
 /** Assigns the viewer's properties in one task, and waits for its `ready`. */
 export async function set(
-  viewer: Locator,
+  viewer: ViewerLocator,
   values: Readonly<Record<string, unknown>>,
 ): Promise<void> {
   await assign(viewer, values);
@@ -128,7 +130,7 @@ export async function set(
 }
 
 /** Loses the WebGL context of a viewer that is alone on its page. Returns what restores it. */
-export async function loseContext(viewer: Locator): Promise<() => Promise<void>> {
+export async function loseContext(viewer: ViewerLocator): Promise<() => Promise<void>> {
   const loss = await viewer.evaluateHandle((element) => {
     const context = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
     const extension = context.getExtension('WEBGL_lose_context')!;

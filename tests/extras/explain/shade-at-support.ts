@@ -1,7 +1,7 @@
 // Fragments that shadeAt explains, held against the pixels that toBlob draws: both asked for inside
 // the page. Positions are device pixels, colours 8-bit codes.
 
-import type { Locator } from '@playwright/test';
+import type { ViewerLocator } from '../../support/test.js';
 import type { PhongViewer } from '../../element/support/viewer.js';
 
 export interface Compared {
@@ -21,8 +21,8 @@ export interface Compared {
 }
 
 /** Replaces the viewer and waits until this one is ready. */
-export const show = (viewer: Locator, markup: string): Promise<void> =>
-  viewer.evaluate((element: PhongViewer, text) => {
+export const show = (viewer: ViewerLocator, markup: string): Promise<void> =>
+  viewer.evaluate((element, text) => {
     element.outerHTML = text;
     return document.querySelector<PhongViewer>('phong-viewer')!.ready;
   }, markup);
@@ -45,8 +45,8 @@ export const errorOf = ({ drawn, explained }: Compared): number =>
  * Every `step`-th pixel across and down whose eight neighbours show the same triangle: there the
  * pixel is one fragment, and no mixture of several at an edge.
  */
-export const comparedWithPicture = (viewer: Locator, step: number): Promise<Compared[]> =>
-  viewer.evaluate(async (element: PhongViewer, stride) => {
+export const comparedWithPicture = (viewer: ViewerLocator, step: number): Promise<Compared[]> =>
+  viewer.evaluate(async (element, stride) => {
     const bitmap = await createImageBitmap(await element.toBlob(), { premultiplyAlpha: 'none' });
     const { width, height } = bitmap;
     const context = new OffscreenCanvas(width, height).getContext('2d')!;

@@ -2,7 +2,7 @@
 // policy? Do unknown formats, missing files and several models at once give an error with the cure?
 
 import { fileURLToPath } from 'node:url';
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { wasmPolicy } from '../../support/site.js';
 import { type ViewerLocator, expect, pixelAt, pixels, same, test } from '../../support/test.js';
 import {
@@ -53,7 +53,7 @@ async function filesIn(page: Page, names: readonly string[], as: readonly string
 }
 
 /** Sets `src` to the first of those files, or to a Blob of the same bytes. */
-const setFile = (element: Locator, blob = false) =>
+const setFile = (element: ViewerLocator, blob = false) =>
   element.evaluate((target: PhongViewer | PhongMesh, asBlob) => {
     const [file] = Reflect.get(window, 'files') as [File];
     target.src = asBlob ? new Blob([file]) : file;
@@ -299,8 +299,8 @@ test.describe('a droppable viewer', () => {
       viewerOf(`droppable gui src="${address}"`, '<phong-mesh></phong-mesh>'),
       { width: 700, height: 300 },
     );
-    const sourceOf = (element: Locator) =>
-      element.evaluate(({ src }: PhongViewer) => (typeof src === 'string' ? src : 'a file'));
+    const sourceOf = (element: ViewerLocator) =>
+      element.evaluate(({ src }) => (typeof src === 'string' ? src : 'a file'));
     const loads = requestsOf(page);
     const close = viewer.locator('[part=dismiss]');
     const undo = viewer.locator('button', { hasText: /^undo$/ });

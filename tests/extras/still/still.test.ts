@@ -222,7 +222,7 @@ describe('a still of many meshes', () => {
   });
 
   it('counts what its models claim together', async () => {
-    const src = (own: number): string => {
+    const src = (own: number) => {
       const json = JSON.parse(atob(patch({ material: {} }).split(',')[1]!)) as object;
       const text = JSON.stringify({ ...json, extras: Array.from({ length: 1.2e6 }, () => own) });
       return `data:,${encodeURIComponent(text)}`;
