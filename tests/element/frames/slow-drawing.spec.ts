@@ -124,7 +124,7 @@ for (const [viewers, interval, blocks] of [
     mount,
   }) => {
     const viewer = await mount(viewerOf().repeat(viewers), size);
-    const moving = await turn(viewer, 8, { drawing: 200, interval, blocks });
+    const moving = await turn(viewer, 8, { drawing: blocks ? 3000 : 200, interval, blocks });
     expect(moving.slice(3)).toEqual(Array<number>(5).fill(100));
     expect((await statsOf(viewer)).reducedFrames).toBeGreaterThanOrEqual(5);
     expect(await viewer.locator('canvas').boundingBox()).toMatchObject(size);

@@ -9,7 +9,7 @@ const SHARES = [1, 2 / 3, 1 / 2, 1 / 3] as const;
 
 /** Drawing is measured once a frame or the GPU is so late: more than two frames at 60 a second. */
 const LATE = 40;
-/** Frames farther apart are no motion. */
+/** After such a rest of the page's thread a frame is no motion. */
 const FAR = 2000;
 /**
  * Drawing that takes less is quick enough. Less than 50: the browser has to show the picture as
@@ -40,6 +40,8 @@ const pixel = new Uint8Array(4);
 class Pace {
   #step = 0;
   #begun = 0;
+  /** When the page's thread was free after the last frame: the browser may wait for seconds. */
+  #free = 0;
   /** From when on frames have been close together. */
   #since = 0;
   #trustedUntil = 0;
@@ -82,7 +84,7 @@ class Pace {
       this.#since = this.#trustedUntil = now;
     }
     if (now < this.#trustedUntil) return false;
-    this.#measures = this.#passed() && interval > LATE && interval < FAR;
+    this.#measures = this.#passed() && interval > LATE && now - this.#free < FAR;
     if (this.#measures && this.#keepsThread) {
       this.#wait(); // what was drawn before does not count
     }
@@ -110,6 +112,7 @@ class Pace {
 
   readonly #endFrame = (): void => {
     this.#isDrawing = false;
+    setTimeout(() => (this.#free = performance.now()));
     const measures = this.#measures;
     this.#measures = false;
     if (measures && this.#keepsThread) {

@@ -73,9 +73,7 @@ class Stage {
       this.#context.resize({ width: 1, height: 1 });
     }
     // An element that only moves within the page is back before the microtask.
-    if (this.#viewports.size === 0) {
-      queueMicrotask(this.#closeIfEmpty);
-    }
+    queueMicrotask(this.#closeIfEmpty);
   }
 
   get lost(): boolean {
@@ -170,9 +168,7 @@ class Stage {
    * lost.
    */
   open(size: Size): WebGLRenderer {
-    if (this.#viewports.size === 0) {
-      queueMicrotask(this.#closeIfEmpty);
-    }
+    queueMicrotask(this.#closeIfEmpty);
     const renderer = this.#context.open(size);
     if (renderer === null || this.#context.noticeLoss()) throw contextLost();
     return renderer;
