@@ -225,7 +225,7 @@ export function typedNumber(text: string): Typed | null {
     .replace(/(?<=\p{Nd})(?=[\p{No}⁻])/u, '^') // 10⁻³ is a power, 1½ no fraction of 11
     .normalize('NFKC') // full width, ½
     .trim()
-    .replace(/^۰\//, '0.') // Persian keyboards have no other decimal sign
+    .replace(/(?<!\p{Nd})۰\//u, '0.') // Persian keyboards have no other decimal sign
     .replace(/\p{Nd}/gu, digitOf)
     .replace(/[−–]/g, '-')
     .replace(/[,٫،]/g, '.')

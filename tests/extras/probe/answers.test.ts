@@ -195,7 +195,7 @@ it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, 
     '7,5 · 10⁻¹',
     '= 75×10^-2',
     '~ 75 x 10^-2',
-    '۰/۷۵',
+    '≈ +۰/۷۵',
     '٠،٧٥',
     '0.75.',
   ]) {
