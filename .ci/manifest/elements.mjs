@@ -133,9 +133,10 @@ class SourceReader {
     const settable = new Set(described.filter(ts.isSetAccessorDeclaration).map(nameOf));
     return {
       description: declaration.name ? this.#words(this.#symbol(declaration.name)) : '',
-      properties: getters
-        .filter((member) => settable.has(nameOf(member)))
-        .map((member) => this.#typed(declaration, nameOf(member))),
+      properties: [
+        ...getters.filter((member) => settable.has(nameOf(member))).map(nameOf),
+        ...this.#ofForms(declaration),
+      ].map((name) => this.#typed(declaration, name)),
       readonly: getters
         .filter((member) => !settable.has(nameOf(member)))
         .map((member) => this.#typed(declaration, nameOf(member))),
@@ -144,6 +145,24 @@ class SourceReader {
       parts: tagged(declaration, 'csspart'),
       states: tagged(declaration, 'cssState'),
     };
+  }
+
+  /**
+   * What a control of forms has besides what the platform gives each one: its chunk brings it.
+   * @param {ts.ClassDeclaration} declaration
+   */
+  #ofForms(declaration) {
+    return this.#checker
+      .getTypeAtLocation(declaration)
+      .getProperties()
+      .filter(({ valueDeclaration: signature }) => {
+        const isOfForms =
+          signature &&
+          ts.isInterfaceDeclaration(signature.parent) &&
+          signature.parent.name.text === 'FormControl';
+        return isOfForms && ts.getJSDocCommentsAndTags(signature).length > 0;
+      })
+      .map(({ name }) => name);
   }
 
   /** @param {ts.ClassDeclaration} declaration @param {string} member @returns {Typed} */

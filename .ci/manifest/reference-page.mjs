@@ -53,6 +53,8 @@ function section(element, mesh) {
       `${shared.join(', ')} | As of a mesh. It is shown with the meshes inside. | as there | as there`,
     );
   }
+  const isUnsaid = (/** @type {{ name: string }} */ { name }) =>
+    !description.includes(`\`${name}\``);
   const called = methods.map(({ name, parameters, ...rest }) => {
     const given = parameters.map((parameter) => parameter.name).join(', ');
     return { ...rest, name: `${name}(${given})` };
@@ -60,7 +62,7 @@ function section(element, mesh) {
   return [
     `## \`<${tag}>\`\n\n${words(description.replace(SAID, ''))}\n`,
     table('attribute | meaning | takes | default', rows),
-    namedTable('property', [...properties, ...readonly]),
+    namedTable('property', [...properties.filter(isUnsaid), ...readonly]),
     namedTable('method', called),
     namedTable('event', events),
     namedTable('slot', element.slots),

@@ -135,6 +135,9 @@ describe('the custom elements manifest', () => {
       { name: 'maxMemory', type: { text: 'number' } },
     ]);
     expect(writable('phong-light')).toEqual([]);
+    for (const tag of ['phong-probe', 'phong-exercise']) {
+      expect(writable(tag)).toMatchObject([{ name: 'value', type: { text: 'string' } }]);
+    }
     const { properties } = tags.find(({ name }) => name === 'phong-viewer')!.js;
     expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([
       { type: 'ViewerTexts | null' },
