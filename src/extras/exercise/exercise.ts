@@ -1,7 +1,7 @@
 // What a <phong-exercise> does: it shows an editor, runs the function when somebody presses *run*,
 // and says what the judge found. Loaded with the first one on a page.
 import { html, nothing, render, type TemplateResult } from 'lit';
-import { KINDS } from '../../phong/light/light-state.js';
+import { KINDS, TERMS } from '../../phong/light/light-state.js';
 import {
   ExtraElement,
   hostOf,
@@ -143,6 +143,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
         (error: unknown) => {
           if (!(error instanceof Refused)) throw error;
           this.#faults = error.faults;
+          // Sentences and pictures of an earlier run would look like this one's.
+          this.#shown = null;
           return NO_VERDICT;
         },
       );
@@ -170,16 +172,16 @@ class Exercise extends ExtraElement<ExerciseValues> {
     await viewer.ready;
     const snapshot = hostOf(viewer).snapshot();
     const { terms, kinds } = this.values;
+    // Where nothing is asked any function would be right: lights that are off count too.
+    const present = snapshot.lights.map(({ values }) => kindOf(values));
     const task = {
-      terms,
-      kinds:
-        kinds ??
-        // Without those that are off any function would be right.
-        KINDS.filter((kind) => snapshot.lights.some(({ values }) => kindOf(values) === kind)),
+      terms: terms.length > 0 ? terms : TERMS,
+      kinds: [kinds ?? [], present, KINDS].find((list) => list.length > 0)!,
       reflection: viewer.reflection,
     };
     const own = await pointsOf(snapshot, task, signal);
-    const picture = own === null || scene === null ? own : underScene(own, SCENES[scene], terms);
+    const picture =
+      own === null || scene === null ? own : underScene(own, SCENES[scene], task.terms);
     this.#shown = await check(source, task, picture, signal);
     if (this.#shown.right) {
       this.#solved = task;
@@ -283,7 +285,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     if (this.#running !== null) return html`<p>${this.#say('Running …')}</p>`;
     const { hint } = this.values;
     const verdict = this.#shown;
-    if (verdict === null || this.#faults.length > 0 || hint === 'none') return nothing;
+    if (verdict === null || hint === 'none') return nothing;
     const [first, ...rest] = sentencesFor(verdict, hint, this.#say);
     const { scene } = verdict;
     return html`<p class=${verdict.right ? 'right' : 'wrong'}><strong>${first}</strong></p>
@@ -307,9 +309,8 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   #pictures(): TemplateResult | typeof nothing {
-    const images = this.#shown?.images ?? null;
-    // Those of an earlier run would look like this one's.
-    if (images === null || this.#faults.length > 0) return nothing;
+    const images = this.#shown?.images;
+    if (!images) return nothing;
     const { hint } = this.values;
     const { width, height } = images.own;
     const canvas = (id: string, label: string): TemplateResult =>

@@ -31,7 +31,7 @@ export function solutionFor({ terms, kinds, reflection }: Task): string {
     has('ambient') ? 'm.ka * light.ambient' : '',
     has('diffuse') ? `m.kd * light.diffuse * max(NoL, 0.0)${att}` : '',
     has('specular') ? `m.ks * light.specular * spec${att}` : '',
-  ].filter((term) => term !== '');
+  ].filter(Boolean);
   const direction = isSurface ? 'vec3 D = light.position.xyz;' : '';
   const lines = [
     isPlace
@@ -57,8 +57,8 @@ export function solutionFor({ terms, kinds, reflection }: Task): string {
   float cosine = dot(${reflection === 'phong' ? 'reflect(-L, N), V' : 'N, normalize(L + V)'});
   float spec = NoL > 0.0 ? pow(max(cosine, 0.0), m.shininess) : 0.0;`
       : '',
-    `return ${isSpot ? 'decay * (' : ''}${sum.join(' + ') || 'vec3(0.0)'}${isSpot ? ')' : ''};`,
+    `return ${isSpot ? 'decay * (' : ''}${sum.join(' + ')}${isSpot ? ')' : ''};`,
   ];
-  const body = lines.filter((line) => line !== '').map((line) => `  ${line}\n`);
+  const body = lines.filter(Boolean).map((line) => `  ${line}\n`);
   return `vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {\n${body.join('')}}`;
 }

@@ -2,7 +2,8 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { firstOf, fullOr } from '../../support/repeats.js';
-import { expect, test } from '../../support/test.js';
+import type { CheckDetail, PhongExercise } from '../../../src/viewer/element/elements.js';
+import { expect, type Mount, test } from '../../support/test.js';
 import {
   REFUSED_ONES,
   RIGHT_ONES,
@@ -18,21 +19,15 @@ const markup = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus"
   <phong-light position="-2 1 1 0" diffuse="120 40 40"></phong-light>
   <phong-light position="1 2 2" axis="-1 -2 -2" aperture="20" cutoff="4"></phong-light></phong-viewer>
   <phong-exercise for="v"></phong-exercise>`;
-interface Check {
-  readonly right: boolean;
-  readonly mistakes: readonly string[];
-  readonly share: number;
-  readonly source: string;
-}
 
 /** Writes a function, presses run, and waits for the verdict. */
 const checkOf = (exercise: Locator, source: string) =>
   exercise.evaluate(
     (element, text) =>
-      new Promise<Check>((resolve) => {
-        const own = element as HTMLElement & { value: string };
+      new Promise<CheckDetail>((resolve) => {
+        const own = element as PhongExercise;
         own.value = text;
-        own.addEventListener('check', (event) => resolve((event as CustomEvent<Check>).detail), {
+        own.addEventListener('check', ({ detail }) => resolve(detail), {
           once: true,
         });
         own.shadowRoot!.querySelector('button')!.click();
@@ -40,10 +35,7 @@ const checkOf = (exercise: Locator, source: string) =>
     source,
   );
 
-const mountOne = async (
-  page: Page,
-  mount: (markup: string, options: { css: string }) => Promise<Locator>,
-) => {
+const mountOne = async (page: Page, mount: Mount) => {
   await mount(markup, { css });
   const one = page.locator('phong-exercise');
   await expect(one.getByRole('button', { name: 'Run' })).toBeVisible();
@@ -84,7 +76,7 @@ test('wrong functions are named by the mistake in their code', async ({ mount, p
   expect(missed).toEqual([]);
 });
 
-test('functions that are wrong in an unusual way get no name, and are not right without light', async ({
+test('functions that are wrong in an unusual way get no name, and are not right where nothing is lit or asked', async ({
   mount,
   page,
 }) => {
@@ -97,7 +89,17 @@ test('functions that are wrong in an unusual way get no name, and are not right 
   await page
     .locator('phong-light')
     .evaluateAll((lights) => lights.forEach((light) => light.setAttribute('active', 'false')));
-  expect((await checkOf(one, UNUSUAL_ONES['black']!)).right).toBe(false);
+  const black = UNUSUAL_ONES['black']!;
+  expect((await checkOf(one, black)).right).toBe(false);
+  for (const empty of ['terms', 'kinds']) {
+    await one.evaluate((element, name) => element.setAttribute(name, ''), empty);
+    expect((await checkOf(one, black)).right, empty).toBe(false);
+  }
+  await page.locator('phong-viewer').evaluate((viewer) => {
+    viewer.removeAttribute('geometry');
+    viewer.replaceChildren();
+  });
+  expect((await checkOf(one, black)).share).toBeLessThan(1);
 });
 
 test('what cannot run says why, at its line, and what was written stays', async ({
