@@ -18,14 +18,12 @@ const utf8 = new TextDecoder();
  * 10^0 to 10^22, which float64 holds exactly: one product or quotient with them is rounded once.
  */
 const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(exponent)}`));
-/** Most digits of a whole number that float64 always holds exactly. */
-const EXACT_DIGITS = 15;
 /** A token longer than this is no number: longer ones only cost time. */
 const NUMBER_LENGTH = 400;
 /** Longest line, word or gap in bytes, 4 MiB: each is skipped in one task. */
 const LONGEST = 2 ** 22;
 
-/** Bytes of a word that is not worth a call of the decoder. */
+/** Bytes of a word that is not worth a call of the decoder, which takes as long as ten numbers. */
 const SHORT = 32;
 
 export class TextScanner {
@@ -135,23 +133,16 @@ export class TextScanner {
       i += 1;
     }
     let mantissa = 0;
-    let digits = 0;
     let seen = 0;
     let exponent = 0;
     let digit = digitOf(bytes[i]);
     for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
-      if (mantissa > 0 || digit > 0) {
-        digits += 1;
-      }
       mantissa = mantissa * 10 + digit;
       seen += 1;
     }
     if (bytes[i] === 46) {
       digit = digitOf(bytes[++i]);
       for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
-        if (mantissa > 0 || digit > 0) {
-          digits += 1;
-        }
         mantissa = mantissa * 10 + digit;
         exponent -= 1;
         seen += 1;
@@ -170,9 +161,9 @@ export class TextScanner {
         i = at;
       }
     }
-    if (seen === 0 || digits > EXACT_DIGITS || Math.abs(exponent) > 22 || !this.#endsNumber(i)) {
-      return this.#slowNumber();
-    }
+    // Whole numbers up to 2^53 are exact, and a larger one is not rounded below that.
+    const isExact = mantissa <= Number.MAX_SAFE_INTEGER && Math.abs(exponent) <= 22;
+    if (seen === 0 || !isExact || !this.#endsNumber(i)) return this.#slowNumber();
     this.at = i;
     const scale = POWERS[Math.abs(exponent)] ?? NaN;
     const size = exponent < 0 ? mantissa / scale : mantissa * scale;
@@ -265,22 +256,25 @@ export class TextScanner {
 
   /** From `start` to the next byte, a character for each byte. */
   #latin1From(start: number, most: number): string {
-    const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
-    // A call of the decoder takes as long as reading ten numbers.
-    return bytes.length > SHORT
-      ? latin1.decode(bytes)
-      : String.fromCharCode.apply(null, bytes as never);
+    const end = Math.min(this.at, start + most);
+    if (end - start > SHORT) return latin1.decode(this.#bytes.subarray(start, end));
+    let text = '';
+    for (let i = start; i < end; i += 1) {
+      text += String.fromCharCode(this.#bytes[i]!);
+    }
+    return text;
   }
 
   #slowNumber(): number {
     const start = this.at;
     this.#skipToken();
     if (this.at - start > NUMBER_LENGTH) return NaN;
-    const comment = this.#bytes.subarray(start, this.at).indexOf(this.#comment);
+    let text = this.#latin1From(start, NUMBER_LENGTH);
+    const comment = this.#comment === HASH ? text.indexOf('#') : NOTHING;
     if (comment > 0) {
       this.at = start + comment;
+      text = text.slice(0, comment);
     }
-    const text = this.#latin1From(start, NUMBER_LENGTH);
     // `Number` also reads 0x10, Infinity and more.
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
   }
