@@ -43,7 +43,7 @@ uniform int exerciseMost;
 int exerciseWork = 0, exerciseLine = 0;
 bool exerciseStop(int line, int code) {
   exerciseWork += code;
-  if (exerciseWork > exerciseMost) exerciseLine = line;
+  if (exerciseWork > exerciseMost && exerciseLine == 0) exerciseLine = line;
   return exerciseLine > 0;
 }
 uniform sampler2D exerciseData;

@@ -497,7 +497,7 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     `${HEAD} float a[60 * 60 * 60]; a[int(p.x)] = 1.0; return vec3(a[3]); }`,
     'array size',
   ],
-  'an endless loop': [`${HEAD} for (;;) {} return p; }`, LOOPS],
+  'an endless loop': [`${HEAD} for (;;) {}\nfor (;;) {} return p; }`, LOOPS],
   'a loop that is long at some points': [
     `${HEAD} float s = 0.0; for (int i = 0; i < (p.x > 0.4 ? 2000000000 : 1); i++) s += 1.0; return vec3(s); }`,
     LOOPS,
