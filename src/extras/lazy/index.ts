@@ -30,16 +30,15 @@ const BOX =
   `${HOST}{display:inline-block;width:300px;aspect-ratio:2;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
   `${HOST}>${POSTER}{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}` +
   // From 640 pixels on a panel of 306 lies beside the picture; see phong-viewer.css.
-  `${HOST}[gui]>${POSTER}{width:clamp(100% - 306px,639e3px - 99900%,100%)}`;
+  `${HOST}[gui]:not([gui=false])>${POSTER}{width:clamp(100% - 306px,64e6px - 1e7%,100%)}`;
 
-/** The events of a drag that has begun, and those that ask for the elements. */
-const EVENTS = 'pointermove,pointerup,pointercancel,pointerdown,pointerover,focusin,keydown'.split(
+/** The events that end and go on with a drag, and those that ask for the elements. */
+const EVENTS = 'pointercancel,pointermove,pointerup,pointerdown,pointerover,focusin,keydown'.split(
   ',',
 );
-const CANCEL = 2;
 
 /** A drag that began before the elements were there: its press, newest move and end. */
-let held: (PointerEvent | undefined)[] = [];
+let held: PointerEvent[] = [];
 let heldOn: Viewer | undefined;
 
 /** Viewers that the keyboard reaches by an attribute that is not the page's. */
@@ -101,7 +100,7 @@ function prepare(): void {
 function hear(event: PointerEvent): void {
   const at = EVENTS.indexOf(event.type);
   const viewer = (event.composedPath() as Element[]).find((node) => node.localName === VIEWER);
-  const asks = at > CANCEL && viewer?.matches(UNDEFINED);
+  const asks = at > 2 && viewer?.matches(UNDEFINED);
   if (asks) {
     void load();
   }
@@ -113,16 +112,16 @@ function hear(event: PointerEvent): void {
       lent.push(unreached);
     }
   }
-  // A press, which comes after the end.
+  // A press.
   if (asks && at === 3) {
     held = [event];
     heldOn = viewer as Viewer;
   } else if (event.pointerId === held[0]?.pointerId) {
-    // A mouse goes on moving after its end.
-    if (at < CANCEL && !held[2]) {
-      held[at + 1] = event;
-    } else if (at === CANCEL) {
+    if (at === 0) {
       held = [];
+    } else if (at < 3 && !held[2]) {
+      // A mouse goes on moving after its end.
+      held[at] = event;
     }
   }
 }
@@ -143,15 +142,12 @@ function leave(module: Elements): Elements {
 
 /** By what the pointer has moved meanwhile, once the camera fits the scene. */
 function turn(this: Viewer): void {
-  if (!this.loaded) return;
-  const surface = this.shadowRoot!.querySelector('.surface')!;
-  for (const event of held) {
-    // Not each place has one.
-    if (event) {
-      surface.dispatchEvent(new PointerEvent(event.type, event));
-    }
+  if (this.loaded) {
+    const surface = this.shadowRoot!.querySelector('.surface')!;
+    // Skips a place without one.
+    held.forEach((event) => surface.dispatchEvent(new PointerEvent(event.type, event)));
+    held = [];
   }
-  held = [];
 }
 
 if (near) {

@@ -242,6 +242,9 @@ test('a poster beside a panel lies where the picture will be', async ({ page, si
   await page.locator('phong-viewer').evaluate((element) => (element.style.width = '639px'));
   expect(await poster.boundingBox()).toEqual({ ...box, width: 639 });
   await page.locator('phong-viewer').evaluate((element) => (element.style.width = ''));
+  await page.locator('phong-viewer').evaluate((element) => element.setAttribute('gui', 'false'));
+  expect(await poster.boundingBox()).toEqual({ ...box, width: 806 });
+  await page.locator('phong-viewer').evaluate((element) => element.setAttribute('gui', ''));
   send();
   await waitForPicture(page);
   const surface = await page.locator('[part=surface]').boundingBox();
