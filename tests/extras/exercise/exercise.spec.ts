@@ -1,6 +1,7 @@
 // Does <phong-exercise> run what learners write, and say what is wrong with it?
 
 import type { Locator, Page } from '@playwright/test';
+import { assign } from '../../element/support/viewer.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
 import type { CheckDetail, PhongExercise } from '../../../src/viewer/element/elements.js';
 import { expect, type Mount, test } from '../../support/test.js';
@@ -91,14 +92,8 @@ test('functions that are wrong in an unusual way get no name, and are not right 
     .evaluateAll((lights) => lights.forEach((light) => light.setAttribute('active', 'false')));
   const black = UNUSUAL_ONES['black']!;
   expect((await checkOf(one, black)).right).toBe(false);
-  for (const empty of ['terms', 'kinds']) {
-    await one.evaluate((element, name) => element.setAttribute(name, ''), empty);
-    expect((await checkOf(one, black)).right, empty).toBe(false);
-  }
-  await page.locator('phong-viewer').evaluate((viewer) => {
-    viewer.removeAttribute('geometry');
-    viewer.replaceChildren();
-  });
+  await assign(page.locator('phong-viewer'), { geometry: null, innerHTML: '' });
+  await assign(one, { terms: [], kinds: [] });
   expect((await checkOf(one, black)).share).toBeLessThan(1);
 });
 

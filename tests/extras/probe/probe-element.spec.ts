@@ -52,6 +52,19 @@ test('shows the table, the equation or questions of the declared point, as `as` 
   await expect(element.getByRole('table'), 'corners have no equation here').toBeVisible();
 });
 
+test('looks the same on a page without a doctype', async ({ page, mount }) => {
+  await mount(
+    `<main>${scene('probe probe-at="0 0 0"')}${probe('as="ask"')}</main><iframe></iframe>`,
+  );
+  await page.evaluate(() => {
+    const { body } = document.querySelector('iframe')!.contentDocument!;
+    body.append(document.querySelector('main')!);
+  });
+  const inner = page.frameLocator('iframe');
+  await expect(inner.locator('form').first()).toHaveCSS('margin-bottom', '0px');
+  await expect(inner.locator('table')).toHaveCSS('color', 'rgb(236, 236, 241)');
+});
+
 /** A viewer with two probes: the formula that one shows, and the facts of the other's question. */
 async function mountTwo(page: Page, mount: Mount) {
   const viewer = await mount(scene() + probe('as="formula"') + probe('as="ask"'), size);
