@@ -80,8 +80,11 @@ class Probe extends ExtraElement<ProbeValues> {
     });
   }
 
+  /** One that is typed with the separator in it stays one. */
   get value(): string {
-    return this.#typed().join(SEPARATOR);
+    return this.#typed()
+      .map((text) => text.replaceAll(SEPARATOR, ';'))
+      .join(SEPARATOR);
   }
 
   set value(value: string) {
