@@ -35,8 +35,9 @@ const say = (line: string): boolean => process.stdout.write(`${line}\n`);
 /** The status of the command. */
 export const run = (args: readonly string[]): Promise<number> =>
   checkFiles(args).catch((error: unknown) => {
-    const [line] = (error as Error).message.split('\n');
-    process.stderr.write(`${line!} See phong-viewer check --help.\n`);
+    // Playwright says what to install, and adds pages of logs.
+    const [words] = (error as Error).message.split(/\n\w+ logs?:/);
+    process.stderr.write(`${words!} See phong-viewer check --help.\n`);
     return 2;
   });
 
