@@ -103,7 +103,7 @@ export const layers = {
   // The equation in steps, and the points of a picture.
   'extras/exercise': {
     layers: ['extras/explain', 'phong/reference', ...extra],
-    packages: ['lit', ...['fs', 'path', 'util'].map((name) => `node:${name}`)],
+    packages: ['lit', ...['fs', 'path', 'querystring', 'util'].map((name) => `node:${name}`)],
     types: ['@playwright/test'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },

@@ -26,7 +26,7 @@ const run = async (folder: string, ...args: string[]) => {
 
 const PAGE = `<!doctype html><html lang="en"><title>Sheet</title>
 <meta http-equiv="Content-Security-Policy" content="default-src 'self'; style-src 'self' 'unsafe-inline'">
-<script type="module" src="phong-viewer.standalone.js"></script>
+<script type="module" src="phong-viewer.standalone.js"></script><img src="50%.png" alt="">
 <phong-viewer id="v" alt="A torus" geometry="torus" style="display: block; width: 150px; height: 100px">
   <phong-light position="1 1 1" attenuation="1 0 0.5" ambient="90"></phong-light></phong-viewer>
 <details><phong-exercise id="1" for="v" hint="none"></phong-exercise></details>`;

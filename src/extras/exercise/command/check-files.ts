@@ -2,6 +2,8 @@
 // installed Playwright and its browser, one page for all.
 import { readFileSync, statSync } from 'node:fs';
 import { dirname, relative, resolve, sep } from 'node:path';
+// Takes 50%.png as it is, where decodeURIComponent throws.
+import { unescape as decoded } from 'node:querystring';
 import { parseArgs } from 'node:util';
 import type { Browser, Locator } from '@playwright/test';
 
@@ -115,7 +117,7 @@ async function openExercise(browser: Browser, file: string, selector: string): P
   const missing: string[] = [];
   await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
-    const path = resolve(root, `.${decodeURIComponent(pathname)}`);
+    const path = resolve(root, `.${decoded(pathname)}`);
     const isThere = path.startsWith(root + sep) && isFile(path);
     if (!isThere) {
       missing.push(` There is no file ${path}.`);
