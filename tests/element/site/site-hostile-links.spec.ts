@@ -213,31 +213,23 @@ const broken = /This link is broken|no example of this name|Write a <phong-viewe
 /**
  * Addresses, and what the page says of them. unit/site-address.test.ts has more that are broken.
  */
-const REFUSED: Readonly<Record<string, readonly [address: string, message: RegExp]>> = {
-  'markup in the address': ['playground/#scene=<img src=x onerror=alert(1)>', broken],
-  'an unknown example': ['playground/#example=__proto__', broken],
-  'a huge text, short in the link': [
-    linkTo(`<phong-viewer>${' '.repeat(200_000_000)}</phong-viewer>`),
-    /too long to show/,
-  ],
-  'too many elements': [
-    linkTo(`<phong-viewer alt="hostile">${'<phong-mesh>'.repeat(1000)}`),
-    /too many elements/,
-  ],
-  'too many of others': [
-    linkTo(`<phong-viewer alt="hostile">${'<b>'.repeat(30_000)}`),
-    /too many elements/,
-  ],
-};
+const REFUSED: readonly (readonly [address: string, message: RegExp])[] = [
+  ['playground/#scene=<img src=x onerror=alert(1)>', broken],
+  ['playground/#example=__proto__', broken],
+  // Short in the link.
+  [linkTo(`<phong-viewer>${' '.repeat(200_000_000)}</phong-viewer>`), /too long to show/],
+  [linkTo(`<phong-viewer alt="hostile">${'<b>'.repeat(1000)}`), /too many elements/],
+];
+
 test('links that are broken or too large show an example and an error', async ({ page }) => {
   test.setTimeout(120_000);
-  for (const [name, [address, message]] of Object.entries(REFUSED)) {
+  for (const [address, message] of REFUSED) {
     await page
       .locator('#messages li')
       .evaluateAll((items) => items.forEach((item) => item.remove()));
     await openLink(page, address);
-    await expect(page.locator('#messages'), name).toHaveText(message);
-    await expect(page.locator('#scene:not([alt=hostile])'), name).toBeVisible();
+    await expect(page.locator('#messages')).toHaveText(message);
+    await expect(page.locator('#scene:not([alt=hostile])')).toBeVisible();
   }
 });
 
