@@ -151,7 +151,8 @@ async function objectOf(
     part.geometry.computeBoundingSphere(); // as three.js does before it sorts
   }
   const { x, y, z } = part.geometry.boundingSphere!.center;
-  const center = transformed(matrix, x, y, z);
+  // A copy: see the constructor of `surfaces.ts`. Millions of places are `transformed`.
+  const center: Vec3 = [...transformed(matrix, x, y, z)];
   return { shape: mesh.shape, matrix, center, material };
 }
 

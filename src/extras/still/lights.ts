@@ -29,7 +29,7 @@ const CLEAR = 1e-7;
 export class LightSums {
   /** Ambient, diffuse and specular light at the last point, r g b each. */
   readonly sums = new Float64Array(9);
-  /** N·L, the lobe's cosine, attenuation and decay of the last light; no term is 0 by them. */
+  /** N·L, the lobe's cosine, attenuation and decay of the only light; no term is 0 by them. */
   last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
   /** Equal where the same lights' cones and horizons hold the point. */
   piece = 0;
@@ -84,7 +84,9 @@ export class LightSums {
       const lobe = isBlinn ? unit(add(L, V)) : subtract(scale(N, 2 * NoL), L);
       const middle = isBlinn ? N : V;
       const RoV = dot(lobe, middle);
-      this.last = { NoL, RoV, att, decay };
+      if (this.count === 1) {
+        this.last = { NoL, RoV, att, decay };
+      }
       if (!inside) continue;
       const lit = NoL > 0 ? att * decay : 0;
       const spec = lit > 0 ? lit * power(RoV, halfChord(lobe, middle), n) : 0;

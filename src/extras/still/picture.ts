@@ -46,13 +46,15 @@ export function castRows(
   to: number,
 ): Float64Array {
   const means = new Float64Array(4 * width * (to - from));
+  const { starts } = tracer.lists;
   let bottom = new Line(tracer, width, from);
   for (let row = from; row < to; row++) {
     const top = bottom;
     const middle = new Line(tracer, width, row + 0.5);
     bottom = new Line(tracer, width, row + 1);
     for (let column = 0; column < width; column++) {
-      if (tracer.listAt(column, row).length === 0) continue;
+      const pixel = row * width + column;
+      if (starts[pixel] === starts[pixel + 1]) continue; // no ray through it meets anything
       const piece = middle.pieceAt(2 * column + 1);
       const isSmooth =
         middle.isAll(piece, column) &&
@@ -63,7 +65,7 @@ export function castRows(
       if (!isSmooth || tracer.isNarrow || !bySimpson(top, middle, bottom, column)) {
         castPixel(tracer, column, row, samples, isSmooth, piece);
       }
-      means.set(mean, 4 * ((row - from) * width + column));
+      means.set(mean, 4 * (pixel - from * width));
     }
   }
   return means;

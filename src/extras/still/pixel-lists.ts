@@ -49,13 +49,12 @@ export function pixelLists(screen: Screen, surfaces: readonly ObjectSurface[]) {
       const [a, b, c] = corners;
       if (isSingle && dot(a, cross(b, c)) < 0 === mirrored) continue;
       reach = Math.max(reach, length(a), length(b), length(c));
-      const box = boxOf(corners, screen);
-      if (box === null) continue;
-      boxes.set(box, 4 * thing);
+      const pixels = writeBox(corners, screen, boxes, 4 * thing);
+      if (pixels === 0) continue;
+      entries += pixels;
       order[count] = Math.max(0, nearOf(corners, screen));
       bits[2 * count] = (bits[2 * count]! & ~NUMBER) | thing;
       count += 1;
-      entries += (box[1]! - box[0]! + 1) * (box[3]! - box[2]! + 1);
     }
   }
   const limit = Math.min(MOST_ENTRIES, MOST_DEEP * width * height);
@@ -102,23 +101,34 @@ const sharedList = (size: number) => {
 };
 
 /** Depth of the nearest corner. */
-export const nearOf = (corners: readonly Vec3[], { camera }: Screen): number =>
-  -Math.max(...corners.map((corner) => dot(corner, camera.back)));
+export const nearOf = ([a, b, c]: [Vec3, Vec3, Vec3], { camera: { back } }: Screen): number =>
+  -Math.max(dot(a, back), dot(b, back), dot(c, back));
 
 /**
- * The left, right, top and bottom pixel of the rays that may meet what lies between these corners, as
- * seen from the eye; null if there is none. Behind the eye nothing is sure: all pixels may.
+ * Writes the left, right, top and bottom pixel of the rays that may meet what lies between these
+ * corners, as seen from the eye, and returns how many pixels that are. Behind the eye nothing is
+ * sure: all pixels may. Without lists of its own: there may be millions of triangles.
  */
-function boxOf(corners: readonly Vec3[], screen: Screen) {
-  const seen = corners.map((corner) => screen.project(corner));
-  if (!seen.some(({ depth }) => depth > 0)) return null;
-  const isUnsure = seen.some(({ depth }, i) => depth <= LEAST_DEPTH * length(corners[i]!));
-  const span = (axis: 'x' | 'y', size: number): readonly [number, number] => {
-    const all = isUnsure ? [0, size] : seen.map((place) => place[axis]);
-    const last = Math.floor(Math.max(...all) + SLACK);
-    return [Math.max(0, Math.floor(Math.min(...all) - SLACK)), Math.min(size - 1, last)];
-  };
-  const [left, right] = span('x', screen.width);
-  const [top, bottom] = span('y', screen.height);
-  return left <= right && top <= bottom ? [left, right, top, bottom] : null;
+function writeBox(corners: readonly Vec3[], screen: Screen, boxes: Int32Array, at: number): number {
+  const { width, height } = screen;
+  let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+  let far = 0;
+  for (const corner of corners) {
+    const { x, y, depth } = screen.project(corner);
+    far = Math.max(far, depth);
+    if (depth <= LEAST_DEPTH * length(corner)) {
+      left = top = -Infinity;
+      right = bottom = Infinity;
+      continue;
+    }
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+  }
+  left = boxes[at] = Math.max(0, Math.floor(left - SLACK));
+  right = boxes[at + 1] = Math.min(width - 1, Math.floor(right + SLACK));
+  top = boxes[at + 2] = Math.max(0, Math.floor(top - SLACK));
+  bottom = boxes[at + 3] = Math.min(height - 1, Math.floor(bottom + SLACK));
+  return far > 0 ? Math.max(0, right - left + 1) * Math.max(0, bottom - top + 1) : 0;
 }

@@ -31,7 +31,7 @@ export class Screen {
   }
 
   /** Where a place, as seen from the eye, is in the picture. */
-  project(place: Vec3): { readonly x: number; readonly y: number; readonly depth: number } {
+  project(place: Vec3) {
     const { right, up, back } = this.camera;
     const depth = -dot(place, back);
     const x = ((dot(place, right) / (depth * this.slopeX) + 1) * this.width) / 2;

@@ -5,7 +5,7 @@ import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surfac
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, cross, map, multiply, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastTexture } from './cast-scene.js';
-import type { Hit } from './hit.js';
+import { Hit } from './hit.js';
 import { PlacedShape, unit, vectorAt } from './placed.js';
 import { type Decode, readTexture } from './texture.js';
 
@@ -25,6 +25,8 @@ export class ObjectSurface extends PlacedShape {
   /** The vertices' colours as they are interpolated: under `linear` in linear light. */
   readonly #colors: ArrayLike<number> | undefined;
   readonly #decode: Decode;
+  /** What it is at all hits, where no texture and no vertex colours differ. */
+  readonly point: SurfacePoint | undefined;
 
   constructor(object: CastObject, eye: Vec3, options: ReferenceOptions) {
     super(object, eye);
@@ -35,7 +37,9 @@ export class ObjectSurface extends PlacedShape {
     const plain = { ...material, baseColor: WHITE, metalness: 0, lobeScale: 1 };
     const { ka, kd, ks } = coefficientsOf(plain, linear);
     this.#ka = terms.includes('ambient') ? ka : BLACK;
-    this.#kd = terms.includes('diffuse') ? kd : BLACK;
+    // A copy: where a thousand of a function's lists live long, V8 makes all its next ones for long
+    // lives, too, and `scale` makes those of each sample: 1,000 balls took 14 s so, and take 12 s.
+    this.#kd = terms.includes('diffuse') ? [...kd] : BLACK;
     this.#ks = terms.includes('specular') ? ks : BLACK;
     const decoded = (color: Vec3): Vec3 => (linear ? map(color, srgbDecode) : color);
     this.#base = decoded(material.baseColor ?? WHITE);
@@ -46,6 +50,9 @@ export class ObjectSurface extends PlacedShape {
         ? Float64Array.from(colors, (c, i) => (i % 4 === 3 ? c : srgbDecode(c)))
         : colors;
     this.#decode = linear ? DECODED : BYTES;
+    if (!shape.uvs?.length && !colors) {
+      this.point = this.at(new Hit());
+    }
   }
 
   /** The opacity at a hit, before `alphaMode`. */
@@ -91,7 +98,8 @@ export class ObjectSurface extends PlacedShape {
     return {
       base,
       ka: multiply(this.#ka, base),
-      kd: scale(multiply(this.#kd, base), 1 - m),
+      // Not `scale`: see the constructor.
+      kd: map(multiply(this.#kd, base), (c) => c * (1 - m)),
       ks: multiply(
         this.#ks,
         map(base, (c) => (1 - m) * lobe + m * c),
@@ -107,22 +115,19 @@ export class ObjectSurface extends PlacedShape {
    * Writes the unit normal to the hit, on the side that is seen or outward; zero for none. `normals`:
    * of the triangle's corners, from `at` on.
    */
-  turn(hit: Hit, normals: Float64Array, at: number, isOutward: boolean): void {
+  turn(hit: Hit, normals: ArrayLike<number>, at: number, isOutward: boolean): void {
     const { shading, normalTexture, normalScale = 1 } = this.object.material;
-    const { triangle, a, b, c } = hit;
-    const mean = (list: ArrayLike<number>, k: number): number =>
-      a * list[k]! + b * list[k + 3]! + c * list[k + 6]!;
     let normal: Vec3;
     if (shading === 'flat') {
-      const [p, q, r] = this.cornersOf(triangle);
+      const [p, q, r] = this.cornersOf(hit.triangle);
       normal = scale(cross(subtract(q, p), subtract(r, p)), this.mirrored ? -1 : 1);
     } else {
-      normal = [mean(normals, at), mean(normals, at + 1), mean(normals, at + 2)];
+      normal = mean(normals, at, hit);
       if (normalTexture !== undefined && this.shape.tangents !== undefined) {
         this.#read(normalTexture, hit, BYTES);
-        const tilt = Array.from(texel, (code) => code * 2 - 1) as [number, number, number];
-        const tangents = this.verticesOf(triangle).flatMap((vertex) => this.tangent(vertex));
-        const x = map(RGB, (k) => mean(tangents, k));
+        const tilt = map(vectorAt(texel, 0), (code) => code * 2 - 1);
+        const tangents = this.verticesOf(hit.triangle).flatMap((vertex) => this.tangent(vertex));
+        const x = mean(tangents, 0, hit);
         const z = unit(normal);
         const side = this.mix(this.shape.tangents, 4, 3, hit) * (this.mirrored ? -1 : 1);
         const y = scale(cross(z, x), tilt[1] * side);
@@ -148,6 +153,10 @@ export class ObjectSurface extends PlacedShape {
     readTexture(texture, this.mix(uv, 2, 0, hit), this.mix(uv, 2, 1, hit), decode, texel);
   }
 }
+
+/** The mean of three vectors, from `at` on, by a hit's shares. */
+const mean = (list: ArrayLike<number>, at: number, { a, b, c }: Hit): Vec3 =>
+  map([at, at + 1, at + 2], (i) => a * list[i]! + b * list[i + 3]! + c * list[i + 6]!);
 
 export type SurfacePoint = ReturnType<ObjectSurface['at']>;
 

@@ -49,7 +49,7 @@ export class Tracer {
   /** {@link STRIDE} numbers of each triangle that was asked for lately, and whose they are. */
   readonly #records = new Float64Array(STRIDE * RECORDS);
   readonly #owners = new Int32Array(RECORDS).fill(-1);
-  /** Up to 27 numbers of its corners where it was met lately, and whose they are. */
+  /** Gouraud: the sums at the corners of triangles that were met lately, and whose they are. */
   readonly #corners = new Float64Array(27 * CORNERS);
   readonly #cornersOwners = new Int32Array(CORNERS).fill(-1);
   /** By object: the depth of its centre. */
@@ -61,7 +61,7 @@ export class Tracer {
   #next = new Hit();
   /** The blended surfaces on the last ray. */
   readonly #layers: Hit[] = [];
-  #color: Vec3 = [0, 0, 0];
+  readonly #color: [number, number, number] = [0, 0, 0];
 
   /** `lists`: those of another tracer of the same scene. */
   constructor(scene: CastScene, width: number, height: number, lists?: PixelLists) {
@@ -93,35 +93,20 @@ export class Tracer {
   #write(thing: number, at: number): void {
     const object = this.lists.objects[thing]!;
     const triangle = thing - this.#firsts[object]!;
-    const corners = this.#surfaces[object]!.cornersOf(triangle);
+    const surface = this.#surfaces[object]!;
+    const corners = surface.cornersOf(triangle);
+    const normals = surface.verticesOf(triangle).flatMap((vertex) => surface.normal(vertex));
     const [a, b, c] = corners;
-    const bc = cross(b, c);
+    const [bc, ca, ab] = [cross(b, c), cross(c, a), cross(a, b)];
     const near = nearOf(corners, this.screen);
-    this.#records.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], at);
-    this.#records[at + NEAR] = near - NEARER * Math.abs(near);
-    this.#records[at + OBJECT] = object;
-  }
-
-  /** Where the numbers of a hit's three corners are. `kind`: 0 or 1, for different ones. */
-  #cornersOf(hit: Hit, kind: number, of: (vertex: number) => Iterable<number>): number {
-    const owner = 2 * hit.thing + kind;
-    const slot = owner % CORNERS;
-    const at = 27 * slot;
-    if (this.#cornersOwners[slot] !== owner) {
-      this.#cornersOwners[slot] = owner;
-      const vertices = this.#surfaces[hit.object]!.verticesOf(hit.triangle);
-      this.#corners.set(
-        vertices.flatMap((vertex) => [...of(vertex)]),
-        at,
-      );
-    }
-    return at;
+    const least = near - NEARER * Math.abs(near);
+    const normal = add(add(bc, ca), ab);
+    this.#records.set([...bc, ...ca, ...ab, dot(a, bc), least, object, ...normal, ...normals], at);
   }
 
   #turn(hit: Hit, isOutward: boolean): void {
-    const surface = this.#surfaces[hit.object]!;
-    const at = this.#cornersOf(hit, 0, (vertex) => surface.normal(vertex));
-    surface.turn(hit, this.#corners, at, isOutward);
+    const at = this.#recordOf(hit.thing) + NORMALS;
+    this.#surfaces[hit.object]!.turn(hit, this.#records, at, isOutward);
   }
 
   /** Whether a hit counts. A blended one is a layer instead. */
@@ -135,13 +120,6 @@ export class Tracer {
     return alphaMode === 'opaque';
   }
 
-  /** The triangles that rays through a pixel may meet, the nearest first. */
-  listAt(column: number, row: number): Int32Array {
-    const { starts, things } = this.lists;
-    const pixel = row * this.screen.width + column;
-    return things.subarray(starts[pixel], starts[pixel + 1]);
-  }
-
   /** The last ray has met a surface whose highlight may be narrower than the points are apart. */
   get isNarrow(): boolean {
     return [...this.#layers, this.#hit].some(
@@ -153,7 +131,9 @@ export class Tracer {
   /** Whether a pixel may show a surface that its points miss, if all of them meet one piece. */
   isCrossed(column: number, row: number): boolean {
     const { t } = this.#trace(column + 0.5, row + 0.5);
-    for (const thing of this.listAt(column, row)) {
+    const { starts, things } = this.lists;
+    const pixel = row * this.screen.width + column;
+    for (const thing of things.subarray(starts[pixel], starts[pixel + 1])) {
       if (this.#records[this.#recordOf(thing) + NEAR]! > t) break;
       if ((t === Infinity || this.#isApart(thing)) && this.#reaches(thing, column, row)) {
         return true;
@@ -169,16 +149,16 @@ export class Tracer {
   #isApart(thing: number): boolean {
     const { thing: met, object: own, t } = this.#hit;
     const { slopeY, height } = this.screen;
-    const normal = this.#normalOf(thing);
-    const facing = dot(normal, this.#d);
     const at = this.#recordOf(thing);
+    const normal = vectorAt(this.#records, at + NORMAL);
+    const facing = dot(normal, this.#d);
     const object = this.#records[at + OBJECT]!;
     const nearer = (t * facing) / this.#records[at + VOLUME]!;
     if (nearer <= ROUNDED) return false;
     const { alphaMode = 'opaque' } = this.#scene.objects[object]!.material;
     if (alphaMode !== 'opaque') return false;
     if (object !== own || nearer > 1 + (2 * APART * slopeY) / height) return true;
-    const other = this.#normalOf(met);
+    const other = vectorAt(this.#records, this.#recordOf(met) + NORMAL);
     const along = dot(normal, other);
     return (
       along * facing * dot(other, this.#d) < 0 ||
@@ -200,22 +180,11 @@ export class Tracer {
     });
   }
 
-  /** A triangle's normal, as long as twice its area. */
-  #normalOf(thing: number): Vec3 {
-    const at = this.#recordOf(thing);
-    const [bc, ca, ab] = [0, 3, 6].map((k) => vectorAt(this.#records, at + k)) as [
-      Vec3,
-      Vec3,
-      Vec3,
-    ];
-    return add(add(bc, ca), ab);
-  }
-
   /**
    * The nearest opaque surface at a place in the picture; written over by the next call. Its normal
    * is in world space, outward.
    */
-  hitAt(x: number, y: number): Readonly<Hit> {
+  hitAt(x: number, y: number): Hit {
     const hit = this.#trace(x, y);
     if (hit.t < Infinity) {
       this.#turn(hit, true);
@@ -289,7 +258,7 @@ export class Tracer {
   #lay(hit: Hit, sample: Sample): void {
     const { color } = sample;
     const surface = this.#surfaces[hit.object]!;
-    const point = surface.at(hit);
+    const point = surface.point ?? surface.at(hit);
     const { alpha } = point;
     sample.piece = Math.imul(sample.piece, 0x9e3779b1) + this.#shade(hit, surface, point);
     for (let i = 0; i < 4; i++) {
@@ -305,9 +274,8 @@ export class Tracer {
     let color = point.base;
     let piece = 2 * hit.object + Number(hit.front) + 1;
     if (quantity !== undefined || material.unlit !== true) {
-      let sums: Float64Array = this.#lights.sums;
       if (quantity === undefined && material.shading === 'gouraud') {
-        sums = this.#mixedSums(hit);
+        this.#mixSums(hit);
       } else {
         this.#turn(hit, hit.front);
         const d = this.#d;
@@ -318,20 +286,21 @@ export class Tracer {
         piece = Math.imul(piece, 0x9e3779b1) + hit.triangle;
       }
       const { ka, kd, ks, emissive } = point;
-      color = map(
-        RGB,
-        (i) => ka[i]! * sums[i]! + kd[i]! * sums[i + 3]! + ks[i]! * sums[i + 6]! + emissive[i]!,
-      );
+      const { sums } = this.#lights;
+      for (const i of RGB) {
+        const lit = ka[i] * sums[i]! + kd[i] * sums[i + 3]! + ks[i] * sums[i + 6]!;
+        this.#color[i] = lit + emissive[i];
+      }
+      color = this.#color;
     }
     if (quantity !== undefined) {
       color = this.#measure(hit, quantity);
     }
-    const isLinear = linear && quantity === undefined;
-    this.#color = map(color, (c) => {
-      const value = isLinear ? srgbEncode(c) : c;
+    for (const i of RGB) {
+      const value = linear && quantity === undefined ? srgbEncode(color[i]) : color[i];
       piece = 2 * piece + Number(value > 1);
-      return clamp(value, 0, 1);
-    });
+      this.#color[i] = clamp(value, 0, 1);
+    }
     return piece | 0;
   }
 
@@ -343,34 +312,43 @@ export class Tracer {
     return [value, value, value];
   }
 
-  /** Gouraud: the corners' sums, interpolated. A triangle is seen from one side only. */
-  #mixedSums(hit: Hit): Float64Array {
-    const surface = this.#surfaces[hit.object]!;
-    const { shininess } = surface.object.material;
-    const at = this.#cornersOf(hit, 1, (vertex) => {
-      const p = surface.place(vertex);
-      const N = scale(surface.normal(vertex), hit.front ? 1 : -1);
-      this.#lights.at(p, N, unit(p, -1), shininess, surface.isBlinn);
-      return this.#lights.sums;
-    });
-    const { a, b, c } = hit;
-    const sums = this.#corners.subarray(at);
-    return this.#lights.sums.map((_, i) => a * sums[i]! + b * sums[i + 9]! + c * sums[i + 18]!);
+  /** Gouraud: writes the corners' sums, interpolated, in place of the lights'. */
+  #mixSums(hit: Hit): void {
+    const { thing, a, b, c } = hit;
+    const slot = thing % CORNERS;
+    const at = 27 * slot;
+    if (this.#cornersOwners[slot] !== thing) {
+      this.#cornersOwners[slot] = thing;
+      const surface = this.#surfaces[hit.object]!;
+      const sums = surface.verticesOf(hit.triangle).flatMap((vertex) => {
+        const p = surface.place(vertex);
+        // A triangle is seen from one side only.
+        const N = scale(surface.normal(vertex), hit.front ? 1 : -1);
+        this.#lights.at(p, N, unit(p, -1), surface.object.material.shininess, surface.isBlinn);
+        return [...this.#lights.sums];
+      });
+      this.#corners.set(sums, at);
+    }
+    const corners = this.#corners;
+    for (let i = at; i < at + 9; i++) {
+      this.#lights.sums[i - at] = a * corners[i]! + b * corners[i + 9]! + c * corners[i + 18]!;
+    }
   }
 }
 
 /**
  * Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, a·(b×c), the least
- * depth at which a ray meets it, and its object.
+ * depth at which a ray meets it, its object, its normal,
+ * as long as twice its area, and its corners' normals.
  */
-const STRIDE = 12;
-const [VOLUME, NEAR, OBJECT] = [9, 10, 11];
+const STRIDE = 24;
+const [VOLUME, NEAR, OBJECT, NORMAL, NORMALS] = [9, 10, 11, 12, 15];
 
 /**
  * Most triangles whose numbers are kept, 25 MB, and whose corners', 2 MB. A prime: in a regular grid
  * two triangles that one pixel shows do not meet.
  */
-const RECORDS = 262_139;
+const RECORDS = 131_071;
 const CORNERS = 2 ** 13;
 
 /**
