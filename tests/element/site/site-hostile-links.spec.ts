@@ -51,7 +51,7 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
   'custom built-in elements': (alt) =>
     `<phong-viewer ${alt} is="phong-light"><button is="phong-light" onclick="${hack}"></button></phong-viewer>`,
   'deep nesting': (alt) =>
-    `<phong-viewer ${alt}>${'<div>'.repeat(5000)}<phong-light></phong-light>${'<phong-light>'.repeat(400)}</phong-viewer>`,
+    `<phong-viewer ${alt}>${'<div>'.repeat(590)}<phong-light></phong-light>${'<phong-light>'.repeat(400)}</phong-viewer>`,
 };
 
 /**
