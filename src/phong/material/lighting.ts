@@ -62,8 +62,7 @@ export class PhongLighting {
    */
   passOf(renderer: WebGLRenderer, camera: Camera): number {
     const { frame } = renderer.info.render;
-    const isSame = frame === this.#frame && camera === this.#camera;
-    if (!isSame || renderer !== this.needs.renderer) {
+    if (frame !== this.#frame || camera !== this.#camera || renderer !== this.needs.renderer) {
       this.#frame = frame;
       this.#camera = camera;
       this.#pass += 1;

@@ -291,6 +291,8 @@ export class PhongMaterial extends RawShaderMaterial {
       uKs.value.multiplyScalar(uLobeScale.value);
     }
     this.#programs.describe(style, this.#surface);
+    // A page may change it between two draws of a frame.
+    this.#lights = null;
   }
 }
 

@@ -92,7 +92,7 @@ describe('another program', () => {
   });
 });
 
-it('sends rows again where another material has replaced them in the frame', () => {
+it('sends again in the frame what another material or a change of its own has replaced', () => {
   const { mesh, draw, render } = lit([{ position: [0, 3, 0, 1], axis: [0, -1, 0], aperture: 20 }]);
   const far = mesh.clone();
   far.position.x = 50;
@@ -101,6 +101,9 @@ it('sends rows again where another material has replaced them in the frame', () 
   other.material = mesh.material.clone();
   draw();
   expect([far, far, other, far].map(render)).toEqual([true, false, true, true]);
+  mesh.material.setStyle({ shading: 'gouraud' });
+  render(far);
+  expect(mesh.material.uniformsNeedUpdate).toBe(true);
 });
 
 it('chooses the sides in each draw, without another program', () => {
