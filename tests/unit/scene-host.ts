@@ -9,7 +9,7 @@ import { MESH_FIELDS, type MeshValues } from '../../src/phong/model/mesh-fields.
 import { type MeshHost, SceneMesh } from '../../src/viewer/scene/mesh/scene-mesh.js';
 import { Picture } from '../../src/viewer/scene/picture.js';
 
-const quiet = (): void => undefined;
+const quiet = () => undefined;
 
 /** A host that reports nothing but to `own`. */
 export const meshHost = (

@@ -120,7 +120,7 @@ test('turns in a link, a draggable card, a label and a summary, which take click
     }
     Object.assign(window, { heard });
   });
-  const outcome = (): Promise<unknown> =>
+  const outcome = () =>
     page.evaluate(() => ({
       heard: (window as unknown as { heard: string[] }).heard.splice(0),
       hash: location.hash,

@@ -46,7 +46,7 @@ for (const count of [1, 2]) {
     await expect(pixels(viewer)).rejects.toThrow();
 
     // The page becomes visible again.
-    const show = (opening: Opening): Promise<unknown> =>
+    const show = (opening: Opening) =>
       page.evaluate((next) => {
         window.faults.opening = next;
         document.dispatchEvent(new Event('visibilitychange'));
@@ -150,7 +150,7 @@ test('toBlob rejects if the context is lost before its event arrives or between 
   const viewer = await mount(box, SIZE);
   for (const width of [50, 5000]) {
     const outcomes = await viewer.evaluate(async (element, side) => {
-      const picture = (): Promise<unknown> =>
+      const picture = () =>
         element.toBlob({ width: side, height: 60 }).then(() => 'a picture', String);
       const wait = () => new Promise((resolve) => setTimeout(resolve, 50));
       if (side > 4096) {

@@ -146,7 +146,7 @@ test('a turning camera has no samples, and `ready` in the task that stops it has
 });
 
 /** Contexts of the page lack these extensions. */
-const without = (page: Page, ...names: string[]): Promise<unknown> =>
+const without = (page: Page, ...names: string[]) =>
   page.addInitScript((lacking) => {
     const { prototype } = WebGL2RenderingContext;
 

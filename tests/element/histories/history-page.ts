@@ -59,7 +59,7 @@ function installWalk(): void {
 
   /** Milliseconds after which a promise counts as never settled. */
   const LATE = 15_000;
-  const allReady = (): Promise<unknown> => Promise.all(viewers().map((viewer) => viewer.ready));
+  const allReady = () => Promise.all(viewers().map((viewer) => viewer.ready));
   /** Observers report after a frame, and may cause another one. */
   const FEW = 4;
   const fewFrames = async (count = FEW) => {

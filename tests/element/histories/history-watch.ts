@@ -124,7 +124,7 @@ export function installWatch(): void {
     return made;
   } as typeof realContext;
   /** Context events arrive in tasks of their own. */
-  const soon = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 20));
+  const soon = () => new Promise<void>((resolve) => setTimeout(resolve, 20));
   async function lose() {
     if (lost !== null || context === null || context.isContextLost()) return;
     lost = context.getExtension('WEBGL_lose_context');

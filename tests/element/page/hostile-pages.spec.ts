@@ -11,7 +11,7 @@ const light = '<phong-light position="1 2 3 1" cutoff="5"></phong-light>';
 const model = '/fixtures/models/textured.glb';
 
 /** As old frameworks do, enumerable: a function, a text and a list. */
-const pollute = (page: Page): Promise<unknown> =>
+const pollute = (page: Page) =>
   page.addInitScript(() => {
     Object.assign(Object.prototype, {
       extend(other: object) {

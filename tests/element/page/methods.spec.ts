@@ -16,7 +16,7 @@ test.describe('toBlob', () => {
   }) => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
     const before = await pixels(viewer);
-    const of = (options: object): Promise<unknown> =>
+    const of = (options: object) =>
       viewer.evaluate(async (element, given) => {
         try {
           const blob = await element.toBlob(given);

@@ -122,7 +122,7 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
     element.gui = true;
   });
   await expect(viewer.locator('[part=panel] .lil-root')).toBeVisible();
-  const look = (place: Locator): Promise<unknown> =>
+  const look = (place: Locator) =>
     place.locator('[part=panel] .lil-root').evaluate((element) => {
       const style = element.ownerDocument.defaultView!.getComputedStyle(element);
       return [style.backgroundColor, style.fontSize, style.colorScheme, style.display];

@@ -13,7 +13,7 @@ const css =
 type Deed = '' | 'remove at once' | 'hide' | 'remove' | 'move' | 'clear';
 
 /** Runs in the page: creates a viewer, waits for `ready` twice and returns the viewer's state. */
-const readiness = (page: Page, attributes: Record<string, string>, deed: Deed): Promise<unknown> =>
+const readiness = (page: Page, attributes: Record<string, string>, deed: Deed) =>
   page.evaluate(
     async ({ attributes, deed }) => {
       const viewer: PhongViewer = document.createElement('phong-viewer');

@@ -47,7 +47,7 @@ test('a link shows its scene, typed markup is shown too, and a button copies its
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const first = SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"');
   const viewer = await open(page, first);
-  const kd = (): Promise<unknown> => viewer.evaluate((v: PhongViewer) => v.meshes[0]!.kd);
+  const kd = () => viewer.evaluate((v: PhongViewer) => v.meshes[0]!.kd);
   await expect(viewer.locator('phong-light')).toHaveAttribute('position', '1 2 3 0');
   expect(await textOf(page)).toBe(first);
   expect(page.url()).toContain(linkTo(first));

@@ -50,8 +50,7 @@ const dividers = (compare: Locator) => compare.getByRole('separator', { includeH
 const placeOf = (divider: Locator) =>
   divider.evaluate((element) => Number(element.getAttribute('aria-valuenow')));
 
-const at = (compare: Locator): Promise<unknown> =>
-  compare.evaluate((element: PhongCompare) => element.at);
+const at = (compare: Locator) => compare.evaluate((element: PhongCompare) => element.at);
 
 test('two viewers fill the comparison, and a divider stands in the middle between them', async ({
   page,

@@ -113,8 +113,7 @@ test('is a control of a form: value, required, reset, disabled', async ({ mount,
   await expect(textArea(page)).toBeVisible();
   const form = page.locator('form');
   const valid = () => form.evaluate((f: HTMLFormElement) => f.checkValidity());
-  const sent = (): Promise<unknown> =>
-    form.evaluate((f: HTMLFormElement) => new FormData(f).get('phong'));
+  const sent = () => form.evaluate((f: HTMLFormElement) => new FormData(f).get('phong'));
   expect(await valid()).toBe(false);
   await textArea(page).fill(RIGHT);
   expect(await valid()).toBe(true);

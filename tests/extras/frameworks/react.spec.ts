@@ -88,7 +88,7 @@ async function show(page: Page, site: Site, consoleGuard: ConsoleGuard, markup: 
   await allReady(page);
 }
 
-const values = (page: Page): Promise<unknown> =>
+const values = (page: Page) =>
   page.locator('phong-viewer').evaluate((viewer: PhongViewer) => {
     const { theta, phi, terms, orbit, gui, alt, texts, lights, meshes } = viewer;
     const { active, ambient, name } = lights[0] as PhongLight;

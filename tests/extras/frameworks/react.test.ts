@@ -34,7 +34,7 @@ it('handlers know the element that they are on', () => {
 });
 
 describe('the React components on a server', () => {
-  const quiet = (): void => undefined;
+  const quiet = () => undefined;
   const light = createElement(PhongLight, { name: 'sun' });
 
   it.each([

@@ -28,7 +28,7 @@ const figure = (attributes = '', inner = '') =>
 const isDefined = (page: Page) =>
   page.evaluate(() => customElements.get('phong-viewer') !== undefined);
 const thetaOf = async (page: Page) => (await cameraOf(page.locator('phong-viewer').first())).theta;
-const waitForPicture = (page: Page): Promise<unknown> =>
+const waitForPicture = (page: Page) =>
   page.waitForFunction(() => document.querySelector<PhongViewer>('phong-viewer')!.loaded);
 
 /** Keeps the elements from the page until the returned function is called. */
@@ -218,7 +218,7 @@ test('a viewer has the same box before as after, with any poster', async ({ page
   const image = page.locator('phong-viewer > img');
   await expect(image).toBeVisible();
   await expect(page.getByRole('img', { name: 'A test scene' })).toBeVisible();
-  const boxes = async (): Promise<unknown> => [
+  const boxes = async () => [
     await page.locator('phong-viewer').boundingBox(),
     await image.boundingBox(),
   ];

@@ -75,7 +75,7 @@ function download(path: string, signal = never) {
 
 const failed = (message: unknown) => ({ code: 'load-failed', message });
 
-const hungUp = (): Promise<unknown> => expect.poll(() => responses[0]?.destroyed).toBe(true);
+const hungUp = () => expect.poll(() => responses[0]?.destroyed).toBe(true);
 
 describe('a download', () => {
   it('that is refused has failed with its status, even where the body of the answer breaks off', async () => {
@@ -192,7 +192,7 @@ describe('the files of one model', () => {
     return { open, results, asked: () => asked };
   }
 
-  const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+  const tick = () => new Promise<void>((resolve) => setTimeout(resolve));
 
   it('are requested eight at a time', async () => {
     const { open, results, asked } = requests(20);

@@ -229,7 +229,7 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   await expect.poll(() => send !== undefined).toBe(true);
   await expect(viewer.locator('[part=notice]')).toHaveText(/teapot/);
   await nextFrame(page);
-  const shown = (): Promise<unknown> =>
+  const shown = () =>
     viewer.evaluate(({ stats, shadowRoot }) => ({
       frames: stats.frames,
       posters: shadowRoot!.querySelectorAll('[part=poster]').length,

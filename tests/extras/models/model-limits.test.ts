@@ -285,7 +285,7 @@ describe('images', () => {
 
   it('of more than a hundred scans are left out, whatever the header says', async () => {
     vi.spyOn(console, 'warn').mockReturnValue();
-    const withScans = async (scans: number): Promise<unknown> => {
+    const withScans = async (scans: number) => {
       const image = jpegWith(640, 480, scans);
       return (await load(hostile.texturedGlb([image], [{ source: 0 }]))).missing;
     };

@@ -514,7 +514,7 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
     );
     return list;
   });
-  const last = (): Promise<unknown> => events.evaluate((list) => list.at(-1));
+  const last = () => events.evaluate((list) => list.at(-1));
   const [red] = await colorAt(viewer, 280, 130);
   await page.mouse.move(280, 130);
   await expect.poll(last).toEqual([red, 280, 130, false]);

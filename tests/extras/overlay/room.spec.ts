@@ -41,7 +41,7 @@ async function laidOut(page: Page) {
   await nextFrame(page);
 }
 
-const setWidth = (viewer: ViewerLocator, width: number): Promise<unknown> =>
+const setWidth = (viewer: ViewerLocator, width: number) =>
   viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
 
 test.describe('the probe between the dividers of a comparison', () => {

@@ -195,7 +195,7 @@ test('the legend can be styled and hidden, and stays inside small viewers', asyn
       inner.y + inner.height <= outer.y + outer.height
     );
   };
-  const resize = (width: string, height: string): Promise<unknown> =>
+  const resize = (width: string, height: string) =>
     viewer.evaluate((element, size) => Object.assign(element.style, size), { width, height });
   expect(await isInside()).toBe(true);
   await page.evaluate(() => (document.documentElement.dir = 'rtl'));
@@ -219,7 +219,7 @@ test('is restored after the element was removed, and after its context was lost'
   const viewer = await mount(scene('view="triangles"'), SIZE);
   const before = await pixels(viewer);
   /** Takes the viewer off the page, for a task or within one, and back with this view. */
-  const comeBack = (view: PhongViewer['view'], pause: boolean): Promise<unknown> =>
+  const comeBack = (view: PhongViewer['view'], pause: boolean) =>
     viewer.evaluate(
       async (element, [next, waits]) => {
         const parent = element.parentNode!;

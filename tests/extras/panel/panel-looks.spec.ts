@@ -202,7 +202,7 @@ test('the picture leaves the panel its place before its code is there, and is dr
       .small { width: 300px !important; height: 100px !important }
       .phone { width: 400px !important; height: 430px !important; font-size: 8px }`,
   });
-  const pictures = (): Promise<unknown> =>
+  const pictures = () =>
     page.evaluate(() =>
       [...document.querySelectorAll('phong-viewer')].map(({ shadowRoot, stats }) => {
         const { clientWidth, clientHeight } = shadowRoot!.querySelector('.holder')!;

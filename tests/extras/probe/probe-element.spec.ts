@@ -212,7 +212,7 @@ test('is a control of its form: name, value, reset, validity, FormData, and send
   const element = page.locator('phong-probe');
   const fields = element.getByRole('textbox');
   await expect(fields).toHaveCount(4);
-  const read = (): Promise<unknown> =>
+  const read = () =>
     element.evaluate((one: PhongProbe) => [
       one.value,
       one.checkValidity(),

@@ -211,7 +211,7 @@ describe('a still of many meshes', () => {
     const model = `<phong-mesh src="${fixture('coloured.ply')}"></phong-mesh>`;
     const ball = '<phong-mesh geometry="sphere"></phong-mesh>';
     const markup = `<phong-viewer>${(model + ball).repeat(3)}</phong-viewer>`;
-    const warn = (): void => undefined;
+    const warn = () => undefined;
     const { objects } = await castSceneOf(
       readMarkup(markup, warn),
       { width: SIZE, height: SIZE },

@@ -41,7 +41,7 @@ it('changes, adds and removes lights by name; what a light leaves out is the def
 
 it('the same call gives the same lights, whatever was there', async () => {
   const wanted = { a: { position: '1 1 1 0', diffuse: 120 }, b: { position: [-1, 0, 1, 1] } };
-  const given = async (markup: string): Promise<unknown> => {
+  const given = async (markup: string) => {
     const viewer = await onPage(markup);
     viewer.setLights(wanted);
     return viewer.toHTML().match(/<phong-light.*?>/g);

@@ -6,7 +6,7 @@ import { LightState } from '../../../src/phong/light/light-state.js';
 import { ElementLight, type PhongLight } from '../../../src/viewer/element/phong-light.js';
 import { EventQueue } from '../../../src/viewer/element/viewer/event-queue.js';
 
-const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+const nextTask = () => new Promise<void>((resolve) => setTimeout(resolve));
 
 const TYPES = ['load', 'progress', 'camera-change', 'light-change'] as const;
 
