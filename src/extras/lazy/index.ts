@@ -32,7 +32,7 @@ const BOX =
   // From 640 pixels on a panel of 306 lies beside the picture; see phong-viewer.css.
   `${HOST}[gui]:not([gui=false])>${POSTER}{width:clamp(100% - 306px,64e6px - 1e7%,100%)}`;
 
-/** The events that end and go on with a drag, and those that ask for the elements. */
+/** The end, the moves and the release of a drag that has begun, then what asks for the elements. */
 const EVENTS = 'pointercancel,pointermove,pointerup,pointerdown,pointerover,focusin,keydown'.split(
   ',',
 );
@@ -112,7 +112,7 @@ function hear(event: PointerEvent): void {
       lent.push(unreached);
     }
   }
-  // A press.
+  // A press begins a drag.
   if (asks && at === 3) {
     held = [event];
     heldOn = viewer as Viewer;
@@ -144,7 +144,7 @@ function leave(module: Elements): Elements {
 function turn(this: Viewer): void {
   if (this.loaded) {
     const surface = this.shadowRoot!.querySelector('.surface')!;
-    // Skips a place without one.
+    // It skips events that have not come.
     held.forEach((event) => surface.dispatchEvent(new PointerEvent(event.type, event)));
     held = [];
   }

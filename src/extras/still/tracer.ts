@@ -338,22 +338,22 @@ export class Tracer {
 
 /**
  * Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, a·(b×c), the least
- * depth at which a ray meets it, its object, its normal,
- * as long as twice its area, and its corners' normals.
+ * depth at which a ray meets it, its object, its normal (as long as twice its area) and its corners'
+ * normals.
  */
 const STRIDE = 24;
 const [VOLUME, NEAR, OBJECT, NORMAL, NORMALS] = [9, 10, 11, 12, 15];
 
 /**
- * Most triangles whose numbers are kept, 25 MB, and whose corners', 2 MB. A prime: in a regular grid
- * two triangles that one pixel shows do not meet.
+ * How many triangles keep their numbers (25 MB), and how many their corners' sums (2 MB). The first
+ * is a prime, so that two triangles in one pixel of a regular grid rarely share a place.
  */
 const RECORDS = 131_071;
 const CORNERS = 2 ** 13;
 
 /**
- * Share of its depth by which a triangle may be met nearer than its corners, by rounding. They are
- * sorted by depths without the last 2^-28.
+ * Share of its depth by which rounding may let a ray meet a triangle nearer than its corners. More
+ * than 2^-28, the part of a depth that sorting ignores.
  */
 const NEARER = 1e-8;
 

@@ -291,7 +291,7 @@ export class PhongMaterial extends RawShaderMaterial {
       uKs.value.multiplyScalar(uLobeScale.value);
     }
     this.#programs.describe(style, this.#surface);
-    // A page may change it between two draws of a frame.
+    // A page may change the surface between two draws of a frame: the next draw takes all steps.
     this.#lights = null;
   }
 }
