@@ -48,13 +48,6 @@ interface Content {
 export function createPanel(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
   const removeStyles = addStyles(root, STYLES);
   const gui = newRoot(place);
-  // For rules that CSS has no logical property for.
-  const takeDirection = (): void => {
-    gui.domElement.dir = getComputedStyle(place).direction;
-  };
-  takeDirection();
-  const directions = new MutationObserver(takeDirection);
-  directions.observe(viewer.ownerDocument, { subtree: true, attributeFilter: ['dir'] });
   const range = new SceneRange(viewer);
   const content = contentOf(viewer, gui, range);
   let { texts } = viewer;
@@ -89,7 +82,6 @@ export function createPanel(viewer: PhongViewer, place: HTMLElement, root: Shado
     },
     dispose() {
       viewer.removeEventListener('load', loaded);
-      directions.disconnect();
       stopWaiting();
       content.dispose();
       gui.destroy();
@@ -197,6 +189,7 @@ function newRoot(place: HTMLElement): GUI {
     gui.title(title);
     gui.domElement.setAttribute('aria-label', title);
   });
+  gui.domElement.dir = getComputedStyle(place).direction; // for rules that CSS has no logical property for
   return gui;
 }
 

