@@ -57,8 +57,9 @@ export async function filmZoom(
   frames: number,
   size: { readonly width: number; readonly height: number },
 ) {
+  // Slow drawing would take pixels, and triangles with them, but for a ratio that is written.
   const viewer = (segments: string) =>
-    `<phong-viewer geometry="${geometry}" target="0 0 0" radius="30" segments="${segments}"></phong-viewer>`;
+    `<phong-viewer geometry="${geometry}" target="0 0 0" radius="30" pixel-ratio="1" segments="${segments}"></phong-viewer>`;
   await mount(viewer('auto') + viewer('256'), { ...size, css: 'phong-viewer { float: left }' });
   return page.evaluate(async (count) => {
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];

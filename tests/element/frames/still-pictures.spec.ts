@@ -136,7 +136,7 @@ test('a turning camera has no samples, and `ready` in the task that stops it has
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
   await set(viewer, { autoRotate: 90 });
-  expect(await samplesOf(viewer)).toBe(0);
+  await expect.poll(() => samplesOf(viewer)).toBe(0);
   const stopped = await viewer.evaluate(async (element) => {
     element.autoRotate = 0;
     await element.ready;
