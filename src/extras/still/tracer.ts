@@ -45,7 +45,7 @@ export class Tracer {
   readonly #surfaces: readonly ObjectSurface[];
   readonly lists: PixelLists;
   /** By object: the number of its first triangle among all. */
-  readonly #firsts: readonly number[];
+  readonly #firsts: number[] = [];
   /** {@link STRIDE} numbers of each triangle that was asked for lately, and whose they are. */
   readonly #records = new Float64Array(STRIDE * RECORDS);
   readonly #owners = new Int32Array(RECORDS).fill(-1);
@@ -74,7 +74,10 @@ export class Tracer {
     );
     this.#surfaces = objects.map((object) => new ObjectSurface(object, eye, scene));
     let first = 0;
-    this.#firsts = objects.map(({ shape }) => (first += countOf(shape)) - countOf(shape));
+    for (const { shape } of objects) {
+      this.#firsts.push(first);
+      first += countOf(shape);
+    }
     this.lists = lists ?? pixelLists(this.screen, this.#surfaces);
     this.#lights = new LightSums(lights, camera, linear, this.lists.reach);
   }
