@@ -22,6 +22,7 @@ import ts from 'typescript';
  * @property {string} description
  * @property {Value[]} values
  * @property {Typed[]} properties  without an attribute
+ * @property {Typed[]} ofForms  what a control of forms has besides; the description says it
  * @property {Typed[]} readonly
  * @property {Method[]} methods
  * @property {Typed[]} events
@@ -133,10 +134,10 @@ class SourceReader {
     const settable = new Set(described.filter(ts.isSetAccessorDeclaration).map(nameOf));
     return {
       description: declaration.name ? this.#words(this.#symbol(declaration.name)) : '',
-      properties: [
-        ...getters.filter((member) => settable.has(nameOf(member))).map(nameOf),
-        ...this.#ofForms(declaration),
-      ].map((name) => this.#typed(declaration, name)),
+      properties: getters
+        .filter((member) => settable.has(nameOf(member)))
+        .map((member) => this.#typed(declaration, nameOf(member))),
+      ofForms: this.#ofForms(declaration).map((name) => this.#typed(declaration, name)),
       readonly: getters
         .filter((member) => !settable.has(nameOf(member)))
         .map((member) => this.#typed(declaration, nameOf(member))),

@@ -44,6 +44,7 @@ function declaration(element) {
     description,
     values,
     properties,
+    ofForms,
     readonly,
     methods,
     events,
@@ -67,7 +68,7 @@ function declaration(element) {
     })),
     members: [
       ...values.map(property),
-      ...properties.map((typed) => ({
+      ...[...properties, ...ofForms].map((typed) => ({
         kind: /** @type {const} */ ('field'),
         ...typed,
         type: { text: typed.type },
@@ -151,6 +152,7 @@ export function webTypes(elements, { name, version }) {
                 default: JSON.stringify(value.field.fallback),
               })),
               ...element.properties,
+              ...element.ofForms,
               ...element.readonly.map((typed) => ({ ...typed, 'read-only': true })),
             ],
             events: element.events,

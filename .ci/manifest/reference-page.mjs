@@ -53,8 +53,6 @@ function section(element, mesh) {
       `${shared.join(', ')} | As of a mesh. It is shown with the meshes inside. | as there | as there`,
     );
   }
-  const isUnsaid = (/** @type {{ name: string }} */ { name }) =>
-    !description.includes(`\`${name}\``);
   const called = methods.map(({ name, parameters, ...rest }) => {
     const given = parameters.map((parameter) => parameter.name).join(', ');
     return { ...rest, name: `${name}(${given})` };
@@ -62,7 +60,7 @@ function section(element, mesh) {
   return [
     `## \`<${tag}>\`\n\n${words(description.replace(SAID, ''))}\n`,
     table('attribute | meaning | takes | default', rows),
-    namedTable('property', [...properties.filter(isUnsaid), ...readonly]),
+    namedTable('property', [...properties, ...readonly]),
     namedTable('method', called),
     namedTable('event', events),
     namedTable('slot', element.slots),
