@@ -45,21 +45,20 @@ const failed = new Map<string, string>();
  * @param changed called after each.
  */
 export function hearFailures(around: Element, changed: () => void): void {
-  for (const type of ['error', 'load']) {
-    const hear = (event: Event): void => {
-      const { url, message } = (event as CustomEvent<Partial<Failure> | null>).detail ?? {};
-      if (typeof url !== 'string') return;
-      failed.delete(url);
-      if (message !== undefined) {
-        failed.set(url, message);
-        // The console may have the same sentence.
-        current.delete(message);
-      }
-      changed();
-    };
-    // These events do not bubble.
-    around.addEventListener(type, hear, { capture: true });
-  }
+  const hear = (event: Event): void => {
+    const { url, message } = (event as CustomEvent<Partial<Failure> | null>).detail ?? {};
+    if (typeof url !== 'string') return;
+    failed.delete(url);
+    if (message !== undefined) {
+      failed.set(url, message);
+      // The console may have the same sentence.
+      current.delete(message);
+    }
+    changed();
+  };
+  // These events do not bubble.
+  around.addEventListener('error', hear, { capture: true });
+  around.addEventListener('load', hear, { capture: true });
 }
 
 interface Failure {
