@@ -43,7 +43,7 @@ it.each([
   ['src/extras/still', 22_260],
   ['src/extras/png', 2_200],
   ['src/extras/lazy', 840],
-  ['src/extras/explain', 9_310],
+  ['src/extras/explain', 9_060],
   ['src/extras/samples', 4_970],
   ['src/extras/compare', 4_650],
   ['src/extras/playwright', 4_100],

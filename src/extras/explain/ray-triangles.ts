@@ -72,9 +72,6 @@ const READ = 16;
 /** A triangle near the point that {@link searchNear} starts from counts as this many more: 2 µs. */
 const NEAR = 32;
 
-/** The numbers of a hit: first corner, vertices, weights, depth, front, and nine of its corners. */
-type HitNumbers = Float64Array;
-
 /**
  * Tests the triangles whose corners are `first` to `end` (excluded) in drawing order, and returns
  * the last hit that `keeps` has kept. Millions can lie on one ray: only that hit and those that
@@ -84,107 +81,120 @@ export function* searchTriangles(
   ray: ViewRay,
   geometry: BufferGeometry,
   matrixWorld: Matrix4,
-  [first, end]: readonly [first: number, end: number],
+  range: readonly [first: number, end: number],
   keeps: (depth: number, front: boolean, read: () => TriangleHit) => boolean,
 ): RaySearch<TriangleHit | null> {
-  const { index } = geometry;
-  const position = geometry.getAttribute('position');
-  const [rowX, rowY, rowDepth] = rowsOf(ray, matrixWorld);
-  const along = (row: MatrixRow, i: number): number =>
-    row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
+  const rows = rowsOf(ray, matrixWorld);
+  const [rowX, rowY, rowDepth] = rows;
+  const { vertex, along, trianglePlaces } = placesIn(geometry, rows);
   // As three.js does: a mirroring matrix swaps front and back.
   const mirrored = matrixWorld.determinant() < 0;
-  let here: HitNumbers = new Float64Array(18);
-  let kept: HitNumbers = new Float64Array(18);
-  let found = false as boolean;
-  let tested = 0;
-  const read = (): TriangleHit => {
-    tested += READ;
-    return hitOf(here);
+  const hitAt = (corner: number): TriangleHit => {
+    const { corners, places } = trianglePlaces(corner);
+    const [a, b, c] = places;
+    const [atA, atB, atC] = areas(a, b, c);
+    const area = atA + atB + atC;
+    const weights: Vec3 = [atA / area, atB / area, atC / area];
+    const depth = weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2];
+    const front = area > 0 !== mirrored;
+    return { triangle: corner / 3, corners, weights, front, depth, rayPlaces: places };
   };
-  /** True ends a step. */
-  const test = (from: number, to: number): boolean => {
-    tested += (to - from) / 3;
-    for (let corner = from; corner + 2 < to; corner += 3) {
-      const a = index === null ? corner : index.getX(corner);
-      const b = index === null ? corner + 1 : index.getX(corner + 1);
-      const c = index === null ? corner + 2 : index.getX(corner + 2);
-      const ax = along(rowX, a);
-      const bx = along(rowX, b);
-      const cx = along(rowX, c);
-      if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles are rejected here
-      const ay = along(rowY, a);
-      const by = along(rowY, b);
-      const cy = along(rowY, c);
-      // Needed besides the areas below, which can underflow to 0 for a triangle seen edge-on.
-      if ((ay > 0 && by > 0 && cy > 0) || (ay < 0 && by < 0 && cy < 0)) continue;
-      // As areas() below, without a list.
-      const atA = bx * cy - by * cx;
-      const atB = cx * ay - cy * ax;
-      const atC = ax * by - ay * bx;
-      const area = atA + atB + atC;
-      const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
-      if (!inside || area === 0) continue;
-      const az = along(rowDepth, a);
-      const bz = along(rowDepth, b);
-      const cz = along(rowDepth, c);
-      const depth = (atA / area) * az + (atB / area) * bz + (atC / area) * cz;
-      if (!(depth >= ray.near && depth <= ray.far)) continue;
-      const front = area > 0 !== mirrored;
-      tested += HIT;
-      here[0] = corner;
-      here[1] = a;
-      here[2] = b;
-      here[3] = c;
-      here[4] = atA / area;
-      here[5] = atB / area;
-      here[6] = atC / area;
-      here[7] = depth;
-      here[8] = front ? 1 : 0;
-      here[9] = ax;
-      here[10] = ay;
-      here[11] = az;
-      here[12] = bx;
-      here[13] = by;
-      here[14] = bz;
-      here[15] = cx;
-      here[16] = cy;
-      here[17] = cz;
-      if (!keeps(depth, front, read)) continue;
-      found = true;
-      const free = kept;
-      kept = here;
-      here = free;
+  let here = 0;
+  /** -1 for none. */
+  let kept = -1;
+  let reads = 0;
+  const read = (): TriangleHit => {
+    reads += READ;
+    return hitAt(here);
+  };
+  const test = (corner: number): number => {
+    const a = vertex(corner);
+    const b = vertex(corner + 1);
+    const c = vertex(corner + 2);
+    const ax = along(rowX, a);
+    const bx = along(rowX, b);
+    const cx = along(rowX, c);
+    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) return 0; // most triangles are rejected here
+    const ay = along(rowY, a);
+    const by = along(rowY, b);
+    const cy = along(rowY, c);
+    // Needed besides the areas below, which can underflow to 0 for a triangle seen edge-on.
+    if ((ay > 0 && by > 0 && cy > 0) || (ay < 0 && by < 0 && cy < 0)) return 0;
+    // As areas() below, without a list.
+    const atA = bx * cy - by * cx;
+    const atB = cx * ay - cy * ax;
+    const atC = ax * by - ay * bx;
+    const area = atA + atB + atC;
+    const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
+    if (!inside || area === 0) return 0;
+    const az = along(rowDepth, a);
+    const bz = along(rowDepth, b);
+    const cz = along(rowDepth, c);
+    const depth = (atA / area) * az + (atB / area) * bz + (atC / area) * cz;
+    if (!(depth >= ray.near && depth <= ray.far)) return 0;
+    here = corner;
+    reads = 0;
+    if (keeps(depth, area > 0 !== mirrored, read)) {
+      kept = corner;
     }
-    if (tested < STEP) return false;
-    tested = 0;
-    return true;
+    return HIT + reads;
   };
   const meets = (boxes: BoxList, at: number): boolean =>
     hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at);
-  yield* inSteps(geometry, [first, end], meets, test);
-  return found ? hitOf(kept) : null;
+  yield* inSteps(geometry, range, meets, test);
+  return kept < 0 ? null : hitAt(kept);
+}
+
+/** Reads a geometry's triangles in the space whose axes are the rows. */
+function placesIn(
+  geometry: BufferGeometry,
+  [rowX, rowY, rowZ]: readonly [MatrixRow, MatrixRow, MatrixRow],
+) {
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  const vertex = (corner: number): number => (index === null ? corner : index.getX(corner));
+  const along = (row: MatrixRow, i: number): number =>
+    row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
+  const placeOf = (i: number): Vec3 => [along(rowX, i), along(rowY, i), along(rowZ, i)];
+  /** Of the triangle that begins at this corner. */
+  const trianglePlaces = (corner: number) => {
+    const [a, b, c] = [vertex(corner), vertex(corner + 1), vertex(corner + 2)];
+    return {
+      corners: [a, b, c] as const,
+      places: [placeOf(a), placeOf(b), placeOf(c)] as const,
+    };
+  };
+  return { vertex, along, trianglePlaces };
 }
 
 /**
- * Tests runs of triangles of the corners `first` to `end` (excluded), but for boxes that do not
- * meet, until `test` ends a step.
+ * Tests the triangles of the corners `first` to `end` (excluded), but for boxes that do not meet.
+ * `test` returns how many more triangles it took the time of.
  */
 function* inSteps(
   geometry: BufferGeometry,
   [first, end]: readonly [first: number, end: number],
   meets: BvhQuery['meets'],
-  test: (from: number, to: number) => boolean,
+  test: (corner: number) => number,
 ): RaySearch<void> {
   // Runs begin at whole triangles of the index.
   const bvh = first % 3 === 0 ? yield* bvhInSteps(geometry) : null;
-  const visit = (from: number, to: number): boolean =>
-    test(Math.max(from, first), Math.min(to, end));
+  let tested = 0;
+  /** True ends a step. */
+  const visit = (from: number, to: number): boolean => {
+    const last = Math.min(to, end) - 2;
+    for (let corner = Math.max(from, first); corner < last; corner += 3) {
+      tested += 1 + test(corner);
+    }
+    if (tested < STEP) return false;
+    tested = 0;
+    return true;
+  };
   for (let at = first; at < end;) {
     if (bvh === null) {
       const from = at;
       at += 3 * STEP;
-      test(from, Math.min(at, end));
+      visit(from, at);
     } else {
       at = walkBvh(bvh, { meets, visit }, at);
     }
@@ -210,49 +220,36 @@ export function* searchNear(
   most: number,
   allows: (near: NearPoint) => boolean,
 ): RaySearch<NearPoint | null> {
-  const { index } = geometry;
-  const position = geometry.getAttribute('position');
   const rows = rowsOf(
     { frame: { origin, eye: place, ...WORLD_AXES }, slopeX: 0, slopeY: 0, near: 0, far: 0 },
     matrixWorld,
   );
   const [rowX, rowY, rowZ] = rows;
-  const along = (row: MatrixRow, i: number): number =>
-    row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
-  const vertex = (corner: number): number => (index === null ? corner : index.getX(corner));
-  const placeOf = (i: number): Vec3 => [along(rowX, i), along(rowY, i), -along(rowZ, i)];
+  const { vertex, along, trianglePlaces } = placesIn(geometry, rows);
   const fromEye = subtract(place, eye);
   const mirrored = matrixWorld.determinant() < 0;
   const pointOf = (corner: number): NearPoint => {
-    const corners = [vertex(corner), vertex(corner + 1), vertex(corner + 2)] as const;
-    const [a, b, c] = [placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2])];
+    const { corners, places } = trianglePlaces(corner);
+    const [a, b, c] = places;
     const weights = nearestWeights(a, b, c);
     const normal = cross(subtract(b, a), subtract(c, a));
     const front = dot(normal, add(a, fromEye)) < 0 !== mirrored;
-    return { triangle: corner / 3, corners, weights, front, away: weighted(weights, [a, b, c]) };
+    return { triangle: corner / 3, corners, weights, front, away: weighted(weights, places) };
   };
   let found: NearPoint | null = null;
   let reach = most;
-  let tested = 0;
-  const test = (from: number, to: number): boolean => {
-    tested += (to - from) / 3;
-    for (let corner = from; corner + 2 < to; corner += 3) {
-      const [a, b, c] = [vertex(corner), vertex(corner + 1), vertex(corner + 2)];
-      // Most triangles are rejected here.
-      if (rows.some((row) => isBeyond(along(row, a), along(row, b), along(row, c), reach)))
-        continue;
-      tested += NEAR;
-      const near = pointOf(corner);
-      const away = length(near.away);
-      if (!(away <= reach)) continue; // NaN for one of no area
-      tested += READ;
-      if (!allows(near)) continue;
+  const test = (corner: number): number => {
+    const [a, b, c] = [vertex(corner), vertex(corner + 1), vertex(corner + 2)];
+    // Most triangles are rejected here.
+    if (rows.some((row) => isBeyond(along(row, a), along(row, b), along(row, c), reach))) return 0;
+    const near = pointOf(corner);
+    const away = length(near.away);
+    if (!(away <= reach)) return NEAR; // NaN for one of no area
+    if (allows(near)) {
       found = near;
       reach = away;
     }
-    if (tested < STEP) return false;
-    tested = 0;
-    return true;
+    return NEAR + READ;
   };
   const meets = (boxes: BoxList, at: number): boolean => {
     const x = distanceToZero(rowX, boxes, at);
@@ -264,7 +261,8 @@ export function* searchNear(
   return found;
 }
 
-const WORLD_AXES = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] } as const;
+/** Depth is z: it grows against `back`. */
+const WORLD_AXES = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, -1] } as const;
 
 const isBeyond = (a: number, b: number, c: number, reach: number): boolean =>
   (a > reach && b > reach && c > reach) || (a < -reach && b < -reach && c < -reach);
@@ -301,33 +299,19 @@ function shareAlong(from: Vec3, to: Vec3): number {
   return clamp(-dot(from, way) / dot(way, way), 0, 1);
 }
 
-const hitOf = (n: HitNumbers): TriangleHit => ({
-  triangle: n[0]! / 3,
-  corners: [n[1]!, n[2]!, n[3]!],
-  weights: [n[4]!, n[5]!, n[6]!],
-  depth: n[7]!,
-  front: n[8] === 1,
-  rayPlaces: [
-    [n[9]!, n[10]!, n[11]!],
-    [n[12]!, n[13]!, n[14]!],
-    [n[15]!, n[16]!, n[17]!],
-  ],
-});
-
 /**
  * The weights where a ray whose slopes are larger by x and y meets the triangle's plane, inside it
  * or not.
  */
 export function weightsBeside({ rayPlaces }: TriangleHit, x: number, y: number): Vec3 {
-  const [a, b, c] = rayPlaces.map(
-    ([right, up, depth]) => [right - x * depth, up - y * depth] as const,
-  );
-  const beside = areas(...a!, ...b!, ...c!);
+  const moved = ([right, up, depth]: Vec3): Vec3 => [right - x * depth, up - y * depth, depth];
+  const [a, b, c] = rayPlaces;
+  const beside = areas(moved(a), moved(b), moved(c));
   return scale(beside, 1 / (beside[0] + beside[1] + beside[2]));
 }
 
 /** Twice the signed areas between the ray and each side; their sum is twice the triangle's area. */
-const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: number): Vec3 => [
+const areas = ([ax, ay]: Vec3, [bx, by]: Vec3, [cx, cy]: Vec3): Vec3 => [
   bx * cy - by * cx,
   cx * ay - cy * ax,
   ax * by - ay * bx,
