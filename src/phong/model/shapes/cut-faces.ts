@@ -3,8 +3,9 @@
 // that changes at a vertex far beside or behind the eye is large in what is seen nearby, and a
 // triangle thinner than a pixel is extrapolated to the pixel's centre: so triangles are as large as
 // they are far away, and few. Neighbouring faces are cut in the same points of their edge.
-import { BufferAttribute, BufferGeometry } from 'three';
+import type { BufferGeometry } from 'three';
 import type { Vec3 } from '../../math/vector.js';
+import { indexedGeometry } from './grid-geometry.js';
 
 /** In the shape's own space, where each side is 1. */
 export interface Cut {
@@ -114,12 +115,12 @@ export function cutGeometry(name: CutName, cut: Cut): BufferGeometry {
       inner = rectangle;
     }
   }
-  const geometry = new BufferGeometry();
-  geometry.setIndex(index);
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
-  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normal), 3));
-  geometry.setAttribute('uv', new BufferAttribute(new Float32Array(uv), 2));
-  return geometry;
+  return indexedGeometry(
+    index,
+    new Float32Array(position),
+    new Float32Array(normal),
+    new Float32Array(uv),
+  );
 }
 
 /** From the smallest one to the whole face. */

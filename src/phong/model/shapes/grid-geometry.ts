@@ -2,16 +2,8 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import { cosDegrees, sinDegrees } from '../../math/angle.js';
 
-/** Place, unit normal and texture coordinates of all vertices, one after the other. */
-export interface Vertices {
-  readonly position: Float32Array;
-  readonly normal: Float32Array;
-  readonly uv: Float32Array;
-}
-
-export function put(
-  { position, normal, uv }: Vertices,
-  vertex: number,
+/** Writes a vertex: its place, unit normal and texture coordinates. */
+export type Put = (
   x: number,
   y: number,
   z: number,
@@ -20,17 +12,7 @@ export function put(
   nz: number,
   u: number,
   v: number,
-): void {
-  const at = 3 * vertex;
-  position[at] = x;
-  position[at + 1] = y;
-  position[at + 2] = z;
-  normal[at] = nx;
-  normal[at + 1] = ny;
-  normal[at + 2] = nz;
-  uv[2 * vertex] = u;
-  uv[2 * vertex + 1] = v;
-}
+) => void;
 
 /** Quadrangles in rows and columns, each cut into two triangles. */
 export interface Grid {
@@ -47,10 +29,8 @@ export interface Grid {
    */
   readonly closedFirst?: boolean;
   readonly closedLast?: boolean;
-  /**
-   * Writes the vertices of a row from `first` on: one more than there are columns. Row 0 to `rows`.
-   */
-  readonly row: (row: number, into: Vertices, first: number) => void;
+  /** Puts the vertices of a row, 0 to `rows`: one more than there are columns. */
+  readonly row: (row: number, put: Put) => void;
 }
 
 /** Most vertices that 16-bit indices can tell apart. */
@@ -67,20 +47,40 @@ export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   const normal = new Float32Array(3 * vertices);
   const uv = new Float32Array(2 * vertices);
   const index = vertices > FEW ? new Uint32Array(3 * triangles) : new Uint16Array(3 * triangles);
-  const into = { position, normal, uv };
-  let first = 0;
+  let vertex = 0;
+  const put: Put = (x, y, z, nx, ny, nz, u, v) => {
+    const at = 3 * vertex;
+    position[at] = x;
+    position[at + 1] = y;
+    position[at + 2] = z;
+    normal[at] = nx;
+    normal[at + 1] = ny;
+    normal[at + 2] = nz;
+    uv[2 * vertex] = u;
+    uv[2 * vertex + 1] = v;
+    vertex += 1;
+  };
   let corner = 0;
   for (const grid of grids) {
     for (let row = 0; row <= grid.rows; row++) {
-      grid.row(row, into, first);
       if (row > 0) {
-        corner = indexRow(index, corner, grid, row, first);
+        corner = indexRow(index, corner, grid, row, vertex);
       }
-      first += grid.columns + 1;
+      grid.row(row, put);
     }
   }
+  return indexedGeometry(new BufferAttribute(index, 1), position, normal, uv);
+}
+
+/** A geometry of these vertices and triangles. */
+export function indexedGeometry(
+  index: BufferAttribute | number[],
+  position: Float32Array,
+  normal: Float32Array,
+  uv: Float32Array,
+): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setIndex(new BufferAttribute(index, 1));
+  geometry.setIndex(index);
   geometry.setAttribute('position', new BufferAttribute(position, 3));
   geometry.setAttribute('normal', new BufferAttribute(normal, 3));
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));

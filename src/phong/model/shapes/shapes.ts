@@ -13,7 +13,7 @@ import type { Vec3 } from '../../math/vector.js';
 import { declareSize, type GeometrySize, type Vertices } from '../../geometry/geometry-size.js';
 import { lazyCode } from '../../lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../limits.js';
-import { circle, gridGeometry, put } from './grid-geometry.js';
+import { circle, gridGeometry } from './grid-geometry.js';
 import type { SOLIDS } from './solids.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
@@ -115,7 +115,7 @@ function sphere(columns: number, out: number): BufferGeometry {
       corners: [1, 0, 3, 0, 2, 3],
       closedFirst: true,
       closedLast: true,
-      row: (row, into, first) => {
+      row: (row, put) => {
         const polar = (row / rows) * 180;
         const across = sinDegrees(polar);
         const y = cosDegrees(polar);
@@ -124,18 +124,7 @@ function sphere(columns: number, out: number): BufferGeometry {
         for (let i = 0; i <= columns; i++) {
           const x = -cos[i]! * across;
           const z = sin[i]! * across;
-          put(
-            into,
-            first + i,
-            radius * x,
-            radius * y,
-            radius * z,
-            x,
-            y,
-            z,
-            i / columns + shift,
-            1 - row / rows,
-          );
+          put(radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
         }
       },
     },

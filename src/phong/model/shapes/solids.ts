@@ -1,8 +1,8 @@
 // The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
-import { BufferGeometry, Float32BufferAttribute } from 'three';
+import type { BufferGeometry } from 'three';
 import { cosDegrees, sinDegrees } from '../../math/angle.js';
 import { cross, normalize, subtract, type Vec3 } from '../../math/vector.js';
-import { circle, type Grid, gridGeometry, put } from './grid-geometry.js';
+import { circle, type Grid, gridGeometry, indexedGeometry } from './grid-geometry.js';
 
 // The ring's radius and the tube's add up to the outer radius 1/2.
 const TORUS_RING = 0.35;
@@ -39,7 +39,7 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
     rows: 1,
     corners: [0, 2, 1, 2, 3, 1],
     closedFirst: top === 0,
-    row: (row, into, first) => {
+    row: (row, put) => {
       const radius = row === 0 ? top : bottom;
       for (let i = 0; i <= n; i++) {
         const [x, z] = [radius * sin[i]!, radius * cos[i]!];
@@ -50,7 +50,7 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
             ? [0, 0, 0]
             : [across * sinDegrees(middle), up, across * cosDegrees(middle)];
         }
-        put(into, first + i, x, 0.5 - row, z, nx, ny, nz, i / n, 1 - row);
+        put(x, 0.5 - row, z, nx, ny, nz, i / n, 1 - row);
       }
     },
   };
@@ -65,22 +65,11 @@ function cap(n: number, radius: number, up: 1 | -1): Grid {
     corners: [0, 2, 1, 2, 3, 1],
     closedFirst: up === 1,
     closedLast: up === -1,
-    row: (row, into, first) => {
+    row: (row, put) => {
       const r = row === middle ? 0 : 1;
       for (let i = 0; i <= n; i++) {
         const [c, s] = [r * cos[i]!, r * sin[i]!];
-        put(
-          into,
-          first + i,
-          radius * s,
-          up / 2,
-          radius * c,
-          0,
-          up,
-          0,
-          c / 2 + 0.5,
-          (up * s) / 2 + 0.5,
-        );
+        put(radius * s, up / 2, radius * c, 0, up, 0, c / 2 + 0.5, (up * s) / 2 + 0.5);
       }
     },
   };
@@ -96,24 +85,13 @@ function torus(columns: number, out: number): BufferGeometry {
       columns,
       rows,
       corners: [2, 0, 3, 0, 1, 3],
-      row: (row, into, first) => {
+      row: (row, put) => {
         const [outward, z] = [across.cos[row]!, across.sin[row]!];
         for (let i = 0; i <= columns; i++) {
           const [c, s] = [around.cos[i]!, around.sin[i]!];
           const distance = TORUS_RING + tube * outward;
           const [nx, ny] = [outward * c, outward * s];
-          put(
-            into,
-            first + i,
-            distance * c,
-            distance * s,
-            tube * z,
-            nx,
-            ny,
-            z,
-            i / columns,
-            row / rows,
-          );
+          put(distance * c, distance * s, tube * z, nx, ny, z, i / columns, row / rows);
         }
       },
     },
@@ -148,7 +126,7 @@ function torusKnot(rows: number, out: number): BufferGeometry {
       columns,
       rows,
       corners: [0, 2, 1, 2, 3, 1],
-      row: (row, into, first) => {
+      row: (row, put) => {
         const angle = ((row % rows) / rows) * 720;
         const [x, y, z] = curve(angle);
         const next = curve(angle + AHEAD);
@@ -164,7 +142,7 @@ function torusKnot(rows: number, out: number): BufferGeometry {
           const px = (x - KNOT_CENTER) / KNOT_EXTENT + tube * nx;
           const py = y / KNOT_EXTENT + tube * ny;
           const pz = z / KNOT_EXTENT + tube * nz;
-          put(into, first + i, px, py, pz, nx, ny, nz, row / rows, i / columns);
+          put(px, py, pz, nx, ny, nz, row / rows, i / columns);
         }
       },
     },
@@ -204,12 +182,13 @@ function pyramid(segments: number): BufferGeometry {
   addTriangle(mesh, d, a, APEX, segments);
   addTriangle(mesh, a, d, c, segments);
   addTriangle(mesh, c, b, a, segments);
-  const geometry = new BufferGeometry();
-  geometry.setIndex(mesh.index);
-  geometry.setAttribute('position', new Float32BufferAttribute(mesh.position, 3));
-  geometry.setAttribute('normal', new Float32BufferAttribute(mesh.normal, 3));
-  geometry.setAttribute('uv', new Float32BufferAttribute(mesh.uv, 2));
-  return geometry;
+  const { index, position, normal, uv } = mesh;
+  return indexedGeometry(
+    index,
+    new Float32Array(position),
+    new Float32Array(normal),
+    new Float32Array(uv),
+  );
 }
 
 interface Lists {

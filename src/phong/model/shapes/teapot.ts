@@ -2,7 +2,7 @@
 // control points is large.
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import type { BufferGeometry } from 'three';
-import { type Grid, gridGeometry, put } from './grid-geometry.js';
+import { type Grid, gridGeometry } from './grid-geometry.js';
 
 const PATCHES = 32;
 /** Bézier patches that make one turn round the body. */
@@ -48,7 +48,7 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
     rows,
     corners: [0, 1, 3, 0, 3, 2],
     closedFirst,
-    row: (row, into, first) => {
+    row: (row, put) => {
       // The row is a cubic, and so is the way in which it changes: four points of each, x y z.
       blend(down, 2 * row, samples, points);
       blend(down, 2 * row + 1, samples, slopes);
@@ -72,7 +72,7 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
         const u = 1 - column / columns;
         const v = 1 - row / rows;
         const x = (place[0]! - CENTER) / EXTENT;
-        put(into, first + column, x, y / EXTENT, place[2]! / EXTENT, nx, ny, nz, u, v);
+        put(x, y / EXTENT, place[2]! / EXTENT, nx, ny, nz, u, v);
       }
     },
   };
