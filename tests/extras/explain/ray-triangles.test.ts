@@ -194,18 +194,6 @@ describe('a ray through triangles', () => {
     expect(hitsOf(rayAt(0, 0), wall, new Matrix4().makeTranslation(0, 0, 4))).toEqual([]);
   });
 
-  it('numbers triangles in drawing order, within the draw range', () => {
-    const square = new PlaneGeometry(2, 2); // two triangles, the second right below
-    const numbers = (...range: [number, number]) =>
-      hitsOf(rayAt(0.2, -0.2), square, undefined, range).map(({ triangle }) => triangle);
-    expect([numbers(0, 6), numbers(0, 3), numbers(3, 5), numbers(3, 6)]).toEqual([
-      [1],
-      [],
-      [],
-      [1],
-    ]);
-  });
-
   it('loses nothing far from the world’s origin', () => {
     const target: Vec3 = [1e8, -3e8, 2e8];
     const turned = new Matrix4().makeRotationX(0.3);

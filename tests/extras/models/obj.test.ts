@@ -261,6 +261,7 @@ describe('the geometry of an OBJ file', () => {
 describe('the materials of an OBJ file', () => {
   /** As written in the file, in HTML's units. */
   const inHtml = (...color: Vec3) => scale(color, 255);
+  const bytesOf = (characters: string) => Uint8Array.from(characters, (c) => c.charCodeAt(0));
   const withMtl = async (mtl: string): Promise<Partial<SurfaceValues & BaseLook>> => {
     const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1 2 3`;
     const [part] = (await loadFiles({ 'a.obj': text, 'a.mtl': mtl })).parts;
@@ -283,69 +284,25 @@ describe('the materials of an OBJ file', () => {
     expect(warnings).toEqual([]);
   });
 
+  /** Each byte as the character of its number. */
   it.each([
-    [
-      'UTF-8',
-      [
-        [0xc3, 0xa4],
-        [0xc3, 0xb6],
-      ],
-      'ä',
-    ],
-    ['Latin-1', [[0xe4], [0xf6]], 'ä'],
-    [
-      'Latin-1 with two accented letters in a row',
-      [
-        [0xf6, 0xdf],
-        [0xf6, 0xe4],
-      ],
-      'öß',
-    ],
-    [
-      'GBK',
-      [
-        [0xb4, 0xf3, 0xd0, 0xa1],
-        [0xb4, 0xf3, 0xb4, 0xf3],
-      ],
-      '大小',
-    ],
-    [
-      'GBK with a single character',
-      [
-        [0xb4, 0xf3],
-        [0xd0, 0xa1],
-      ],
-      '大',
-    ],
-    [
-      'GBK with a character of an odd kind',
-      [
-        [0xb4, 0xf3, 0x8a, 0x41],
-        [0xb4, 0xf3],
-      ],
-      '大夾',
-    ],
-    [
-      'an unknown encoding',
-      [
-        [0xff, 0x20, 0xe4],
-        [0xff, 0x20, 0xe5],
-      ],
-      'ÿ ä',
-    ],
-  ] as const)('may have names in %s', async (_, [one, other], text) => {
+    ['UTF-8', '\xc3\xa4', '\xc3\xb6', 'ä'],
+    ['Latin-1', '\xe4', '\xf6', 'ä'],
+    ['Latin-1 with two accented letters in a row', '\xf6\xdf', '\xf6\xe4', 'öß'],
+    ['GBK', '\xb4\xf3\xd0\xa1', '\xb4\xf3\xb4\xf3', '大小'],
+    ['GBK with a single character', '\xb4\xf3', '\xd0\xa1', '大'],
+    ['GBK with a character of an odd kind', '\xb4\xf3\x8a\x41', '\xb4\xf3', '大夾'],
+    ['an unknown encoding', '\xff\x20\xe4', '\xff\x20\xe5', 'ÿ ä'],
+  ])('may have names in %s', async (_, name, other, text) => {
     standInImages();
-    const name = String.fromCharCode(...one);
-    const bytes = (characters: string) => Uint8Array.from(characters, (c) => c.charCodeAt(0));
     const model = await loadFiles({
-      'a.obj': bytes(
+      'a.obj': bytesOf(
         `mtllib l${name}.mtl\n${QUAD}vt 0 0\nusemtl m${name}\nf 1/1 2/1 3/1\n` +
-          `usemtl m${String.fromCharCode(...other)}\nf 1/1 3/1 4/1`,
+          `usemtl m${other}\nf 1/1 3/1 4/1`,
       ),
       // The server has the names as Unicode.
-      [`l${text}.mtl`]: bytes(
-        `newmtl m${name}\nKd 1 0 0\nmap_Kd maps\\${name}.png\n` +
-          `newmtl m${String.fromCharCode(...other)}\nKd 0 1 0\n`,
+      [`l${text}.mtl`]: bytesOf(
+        `newmtl m${name}\nKd 1 0 0\nmap_Kd maps\\${name}.png\nnewmtl m${other}\nKd 0 1 0\n`,
       ),
       [`maps/${text}.png`]: png(),
     });
@@ -356,7 +313,7 @@ describe('the materials of an OBJ file', () => {
 
   it('name a missing file once, whatever the encoding of its name', async () => {
     const text = `mtllib \xe4.mtl\nusemtl m\n${QUAD}f 1 2 3`;
-    const model = await loadFiles({ 'a.obj': Uint8Array.from(text, (c) => c.charCodeAt(0)) });
+    const model = await loadFiles({ 'a.obj': bytesOf(text) });
     expect(model.missing).toEqual(['ä.mtl']);
     expect(warnings).toHaveLength(1);
   });

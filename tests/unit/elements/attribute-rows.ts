@@ -144,6 +144,7 @@ const terms: Row = {
     '': [],
     'specular ambient': ['ambient', 'specular'],
     'Diffuse, DIFFUSE': ['diffuse'],
+    ',diffuse,,ambient ,\n specular': ['ambient', 'diffuse', 'specular'],
     'ambient diffuse specular': ['ambient', 'diffuse', 'specular'],
   },
   bad: ['all', 'ambient+diffuse', 'ambient emissive'],

@@ -3,22 +3,14 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  attributeOf,
-  formatValue,
-  parseText,
-  valueWarning,
-} from '../../../src/phong/fields/attribute-text.js';
+import { formatValue, parseText, valueWarning } from '../../../src/phong/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { sameValue } from '../../../src/phong/fields/field-store.js';
 import {
   booleanField,
   choiceField,
-  colorField,
   type Field,
-  homogeneousField,
   numberField,
-  orWord,
   presenceField,
   subsetField,
   textField,
@@ -102,85 +94,6 @@ describe('a list of numbers', () => {
     expect(parseText(`1${' '.repeat(300_000)}2`, vector)).toStrictEqual([1, 2]);
     expect(parseText(`${'1'.repeat(300_000)}x 2 3`, vector)).toBeUndefined();
   });
-
-  it('of three is a position, and of one a grey', () => {
-    const place = homogeneousField([0, 0, 0, 0], { min: -10, max: 10 });
-    expect(place.check(parseText('1 2 3', place))).toStrictEqual([1, 2, 3, 1]);
-    const color = colorField([0, 0, 0], { min: 0, max: 1e6 });
-    expect(color.check(parseText('80', color))).toStrictEqual([80, 80, 80]);
-    expect(color.check(parseText('300, 0 .5', color))).toStrictEqual([300, 0, 0.5]);
-  });
-});
-
-it.each<[string, boolean | undefined, boolean]>([
-  ['', true, true],
-  ['true', true, true],
-  [' TRUE ', true, true],
-  ['false', false, false],
-  [' FALSE', false, false],
-  ['0', undefined, true],
-  ['no', undefined, true],
-  ['gui', undefined, true],
-])('a flag written %j is %s, and %s where presence counts', (text, value, presence) => {
-  expect(parseText(text, booleanField(false))).toBe(value);
-  expect(parseText(text, presenceField())).toBe(presence);
-});
-
-describe('words', () => {
-  const auto = orWord('auto', vector);
-  const subset = subsetField(['ambient', 'diffuse', 'specular']);
-
-  it('of a choice are read in any case, and unknown ones are refused by the field', () => {
-    const choice = choiceField('phong', ['phong', 'blinn-phong']);
-    expect(choice.check(parseText(' Blinn-Phong ', choice))).toBe('blinn-phong');
-    for (const text of ['blinn', '']) {
-      expect(() => choice.check(parseText(text, choice))).toThrow(RangeError);
-    }
-  });
-
-  it.each<[string, string[]]>([
-    ['', []],
-    [' ', []],
-    ['ambient', ['ambient']],
-    ['Specular, ambient', ['ambient', 'specular']],
-    ['diffuse diffuse', ['diffuse']],
-    [',diffuse,,ambient ,\n specular', ['ambient', 'diffuse', 'specular']],
-  ])('of a subset written %j are %j', (text, words) => {
-    expect(subset.check(parseText(text, subset))).toStrictEqual(words);
-  });
-
-  it.each<[string, unknown, Field<unknown>]>([
-    [' Auto', 'auto', auto],
-    ['1 2 3', [1, 2, 3], auto],
-    ['automatic', undefined, auto],
-    ['', undefined, auto],
-    ['', 'anonymous', VIEWER_FIELDS.crossOrigin],
-    ['use-credentials', 'use-credentials', VIEWER_FIELDS.crossOrigin],
-    ['  The Sun ', '  The Sun ', textField()],
-    ['auto', 'auto', textField()],
-  ])(
-    'written %j are %j to a field with a word, an empty value or free text',
-    (text, value, field) => {
-      expect(parseText(text, field)).toStrictEqual(value);
-    },
-  );
-});
-
-it('gives every field of an element an attribute of its own', () => {
-  const keys = ['ka', 'autoRotate', 'colorInterpolation', 'crossOrigin'];
-  expect(keys.map(attributeOf)).toEqual([
-    'ka',
-    'auto-rotate',
-    'color-interpolation',
-    'crossorigin',
-  ]);
-  for (const table of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS]) {
-    const names = Object.keys(table).map(attributeOf);
-    expect(new Set(names).size).toBe(names.length);
-    for (const name of names) {
-      expect(name).toMatch(/^[a-z]+(-[a-z]+)*$/);
-    }
-  }
 });
 
 const fields = Object.entries({
@@ -245,9 +158,7 @@ describe('formatting', () => {
   });
 
   it.each<[unknown, string | null, Field<unknown>]>([
-    [[1, 2, 3], '1 2 3', vector],
     [[0.1, -1e-7, 1e21], '0.1 -1e-7 1e+21', vector],
-    [5, '5', number],
     [true, 'true', booleanField(true)],
     [false, 'false', booleanField(true)],
     [true, '', presenceField()],
@@ -256,7 +167,6 @@ describe('formatting', () => {
     [false, null, VIEWER_FIELDS.gui],
     [['cutoff', 'theta'], 'cutoff theta', VIEWER_FIELDS.gui],
     [[], '', subsetField(['a'])],
-    ['auto', 'auto', orWord('auto', vector)],
     [null, null, MESH_FIELDS.shading],
     [undefined, null, number],
     ['', '', textField()],

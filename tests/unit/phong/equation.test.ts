@@ -247,18 +247,6 @@ describe('the reference', () => {
     );
   });
 
-  it('is not changed by lights that are off or black', () => {
-    fc.assert(
-      fc.property(scenes, anyLight, ({ fragment, surface, lights, options }, stranger) => {
-        const none = [0, 0, 0] as const;
-        const black = { ...stranger, ambient: none, diffuse: none, specular: none };
-        const off = { ...stranger, active: false };
-        const { sum } = shade(fragment, surface, lights, options);
-        expect(shade(fragment, surface, [off, black, ...lights, off], options).sum).toEqual(sum);
-      }),
-    );
-  });
-
   it('is finite and not negative for anything in the domains', () => {
     const coordinate = triple(numbers(-1e15, 1e15));
     const color = triple(numbers(0, 1e6));

@@ -71,6 +71,7 @@ describe('the features of a light', () => {
     ['a cone of a little more', { ...lamp, aperture: 165.0001 }, [...inCone, 'wide', 'chords']],
     ['a decay without a cone', { ...lamp, cutoff: 1.5 }, [...inCone, 'decay']],
     ['a decay that begins steeply', { ...lamp, cutoff: 0.5 }, [...inCone, 'decay', 'chords']],
+    ['a decay of 1', { ...lamp, cutoff: 1 }, [...inCone, 'power 1']],
     ['a decay beyond 32', { ...lamp, cutoff: 32.5 }, [...inCone, 'decay', 'chords']],
     ['an integer cutoff', { ...spot, cutoff: 7 }, [...inCone, 'wide', 'power 7']],
     [
@@ -78,6 +79,7 @@ describe('the features of a light', () => {
       { ...spot, cutoff: 64 },
       [...inCone, 'wide', 'chords', 'power 64'],
     ],
+    ['a whole cutoff beyond it', { ...spot, cutoff: 65 }, [...inCone, 'wide', 'chords', 'decay']],
   ])('of %s are what it needs', (_, values, needed) => {
     const one = light(values);
     expect(namesIn(featuresOf(one, kindOf(one)))).toStrictEqual(needed.toSorted());

@@ -11,9 +11,6 @@ import {
   TEXTURE_ROWS_LOG2,
 } from '../../../src/phong/light/light-layout.js';
 import {
-  isIntegerPower,
-  isMildPower,
-  isSteep,
   LARGEST_INTEGER_POWER,
   LARGEST_MILD_CUTOFF,
   LARGEST_MILD_POWER,
@@ -78,28 +75,6 @@ describe('the loop over the lights', () => {
 });
 
 describe('the layout', () => {
-  it('multiplies out whole powers from 1, and says which powers need a series', () => {
-    const most = LARGEST_INTEGER_POWER;
-    expect([0, 0.5, 1, 2.5, most, most + 1].map(isIntegerPower)).toEqual([
-      false,
-      false,
-      true,
-      false,
-      true,
-      false,
-    ]);
-    const mild = LARGEST_MILD_POWER;
-    expect([0, 1, mild, mild + 1].map(isMildPower)).toEqual([true, true, true, false]);
-    const cutoffs = [0, 0.5, 1, LARGEST_MILD_CUTOFF, LARGEST_MILD_CUTOFF + 1];
-    expect(cutoffs.map((cutoff) => isSteep({ aperture: 180, cutoff }))).toEqual([
-      false,
-      true,
-      false,
-      false,
-      true,
-    ]);
-  });
-
   it('has no series only for powers whose errors stay invisible', () => {
     // 2^-25 for each multiplication, twice 2^-21 for a lawful log2.
     expect(LARGEST_INTEGER_POWER * 2 ** -25).toBeLessThan(2e-6);

@@ -9,7 +9,6 @@ import { HEADER } from '../../../src/phong/light/light-layout.js';
 import { KINDS, type LightValues } from '../../../src/phong/light/light-state.js';
 import {
   emptyPack,
-  type PackedLights,
   packLights,
   type PackSpace,
   selectLights,
@@ -56,20 +55,6 @@ it('makes a cone of no width as wide as float32 needs for its own axis', () => {
   expect(limit(1e-4)).toBe(f(coneLimit(1e-4)));
 });
 
-it('sorts lights by kind, and within a kind as declared', () => {
-  const at = (x: number, more: Partial<LightValues> = {}) =>
-    light({ position: [x, 0, 0, 1], ...more });
-  const cone = { aperture: 20 };
-  const toward = (y: number) => light({ position: [0, y, 0, 0] });
-  const packed = pack([at(1, cone), at(2), toward(1), at(3), at(4, cone), toward(-1)]);
-  const all = read(packed);
-  expect(all.counts).toStrictEqual([2, 2, 2]);
-  expect(all.directional.map((one) => one['direction']!.xyz[1])).toStrictEqual([1, -1]);
-  expect(all.point.map((one) => one['position']!.xyz[0])).toStrictEqual([2, 3]);
-  expect(all.spot.map((one) => one['position']!.xyz[0])).toStrictEqual([1, 4]);
-  expect(packed.sent).toBe(6);
-});
-
 describe('a light is left out of the loop', () => {
   const behind = { position: [0, 1, 0, 0], axis: [0, 1, 0], ambient: [255, 0, 0] } as const;
   it.each<[string, Partial<LightValues>, number]>([
@@ -111,24 +96,6 @@ it('sums ambient light in float64, so that many faint lights are not lost beside
   expect(sum).toBe(f(1000.001));
 });
 
-it('moves and rotates places, but only rotates directions and axes, even the shortest, exactly', () => {
-  const [cos, sin] = [Math.sqrt(3) / 2, 0.5];
-  const worldToShading = [cos, sin, 0, 0, -sin, cos, 0, 0, 0, 0, 1, 0, -100, 0, 0, 1];
-  const short = [5e-324, 0, 0] as const;
-  const { directional, spot: spots } = read(
-    pack(
-      [light({ position: [...short, 0] }), light({ ...spot, axis: short, position: [2, 0, 3, 1] })],
-      {
-        ...WORLD,
-        worldToShading,
-      },
-    ),
-  );
-  expect(directional[0]!['direction']!.xyz).toStrictEqual(floats(cos, sin, 0));
-  expect(spots[0]!['axis']!.xyz).toStrictEqual(floats(cos, sin, 0));
-  expect(spots[0]!['position']!.xyz).toStrictEqual(floats(2 * cos - 100, 1, 3));
-});
-
 describe('a pack that is used again', () => {
   it('grows as needed and never shrinks', () => {
     const into = emptyPack();
@@ -140,34 +107,6 @@ describe('a pack that is used again', () => {
     packLights([], WORLD, into);
     expect(into.rows).toBe(HEADER.rows);
     expect(into.data).toBe(data);
-  });
-
-  it('packs what a new one packs, whatever changes between frames', () => {
-    const space = fc.tuple(rotation, fc.boolean()).map(([[x, y, z], linear]) => ({
-      worldToShading: [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1],
-      cameraToShading: [...z, 0, ...x, 0, ...y, 0, 4, 5, 6, 1],
-      linear,
-    }));
-    const frames = fc.array(fc.tuple(fc.array(anyLight, { maxLength: 6 }), space), {
-      maxLength: 4,
-    });
-    const essence = ({ data, rows, active, sent, counts, features }: PackedLights): object => ({
-      rows,
-      active,
-      sent,
-      counts,
-      data: [...data.subarray(0, rows * 4)],
-      features: [...features.subarray(0, sent)],
-    });
-    fc.assert(
-      fc.property(frames, (list) => {
-        const into = emptyPack();
-        for (const [lights, frame] of list) {
-          packLights(lights, frame, into);
-          expect(essence(into)).toStrictEqual(essence(pack(lights, frame)));
-        }
-      }),
-    );
   });
 });
 

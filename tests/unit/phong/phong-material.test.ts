@@ -63,7 +63,7 @@ describe('another program', () => {
       ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
       [
         'other colours and exponents to 150',
-        () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }),
+        () => material.setSurface({ shininess: 150, ka: [1, 2, 3] }),
         0,
       ],
       ['an exponent above 150', () => material.setSurface({ shininess: 151 }), 1],

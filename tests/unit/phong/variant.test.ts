@@ -5,19 +5,14 @@ import fc from 'fast-check';
 import { Camera, Mesh, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { declaredFeatures } from '../../../src/phong/light/light-features.js';
-import { type LightValues, TERMS } from '../../../src/phong/light/light-state.js';
+import { type LightValues } from '../../../src/phong/light/light-state.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
 import { ProgramCache } from '../../../src/phong/material/program/program-cache.js';
 import {
   generalVariant,
   type MaterialFeatures,
 } from '../../../src/phong/material/program/variant.js';
-import {
-  DEFAULT_STYLE,
-  REFLECTIONS,
-  SHADINGS,
-  type ShadingStyle,
-} from '../../../src/phong/material/material-values.js';
+import { DEFAULT_STYLE, type ShadingStyle } from '../../../src/phong/material/material-values.js';
 import { anyLight, light } from '../arbitraries.js';
 import { FakeRenderer } from '../fake-renderer.js';
 
@@ -69,32 +64,6 @@ describe('the general program', () => {
     ['a normal map with the second coordinates', { normalMap: texture(1) }, 2],
   ])('with %s makes %3$i in all', (_, material, count) => {
     expect(new Set([generalKey(EVERYTHING), generalKey(EVERYTHING, material)]).size).toBe(count);
-  });
-
-  it('is the same for equal states', () => {
-    const anyMap = fc.option(fc.integer({ min: 0, max: 3 }).map(texture));
-    const anyDifference: fc.Arbitrary<Difference> = fc.record({
-      shading: fc.constantFrom(...SHADINGS),
-      reflection: fc.constantFrom(...REFLECTIONS),
-      terms: fc.subarray([...TERMS]),
-      linear: fc.boolean(),
-      mildShininess: fc.boolean(),
-      vertexColors: fc.boolean(),
-      unlit: fc.boolean(),
-      metalness: fc.constantFrom(0, 1),
-      roughness: fc.constantFrom(null, 0.5),
-      emissive: fc.constantFrom([0, 0, 0] as const, [1, 0, 0] as const),
-      map: anyMap,
-      emissiveMap: anyMap,
-      metalRoughMap: anyMap,
-      normalMap: anyMap,
-      alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
-    });
-    fc.assert(
-      fc.property(anyDifference, fc.array(anyLight, { maxLength: 4 }), (material, lights) => {
-        expect(generalKey(lights, { ...material })).toBe(generalKey(lights.toReversed(), material));
-      }),
-    );
   });
 });
 

@@ -7,15 +7,6 @@ import { Shared } from '../../../src/viewer/model/shared.js';
 
 const make = (): object => ({});
 
-it('users of a key share a value, and the last one who releases it is told so', () => {
-  const shared = new Shared<object>();
-  const box = shared.acquire('box', make);
-  expect(shared.acquire('box', make)).toBe(box);
-  expect(shared.acquire('cone', make)).not.toBe(box);
-  expect([shared.release(box), shared.release(box)]).toEqual([false, true]);
-  expect(shared.acquire('box', make)).toBe(box);
-});
-
 it('a forgotten value keeps its users, and takes nothing from the one after it', () => {
   const shared = new Shared<object>();
   const failed = shared.acquire('model', make);
