@@ -52,11 +52,10 @@ export const picturesHtml = (results: readonly BenchResult[]): string =>
 function stackHtml(result: BenchResult): string {
   const points = panelPoints(result);
   const name = STACKS[result.stack] ?? result.stack;
-  const colors = SERIES.map((_, i) => `var(--series-${String(i + 1)})`);
-  const names = [...new Set(points.map(({ picture }) => picture))] as (keyof typeof PICTURES)[];
+  const names = [...new Set(points.map(({ picture }) => picture))];
   const panels = names.map(
     (picture) =>
-      `<figure>${panelSvg(points, picture, colors)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
+      `<figure>${panelSvg(points, picture)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
   );
   return `<section class="front recorded">
     <h3>${escapeHtml(name)}</h3>

@@ -134,7 +134,7 @@ function addPictures(accuracy, width, top, add) {
 }
 
 /** Adds elements to a plot. @param {Element} svg @param {Document} document */
-export const writerOf =
+const writerOf =
   (svg, document) =>
   (
     /** @type {string} */ tag,

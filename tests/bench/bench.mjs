@@ -56,7 +56,7 @@ async function main(options) {
     console.log('Building the package and the pages …');
     await buildPages(folder);
   }
-  const lab = new Lab(folder, await launchOptions(options.browser, options.flags));
+  const lab = new Lab(folder, await launchOptions(options.browser, options.arg));
   await lab.open();
   const machine = await lab.machine();
   for (const [key, value] of Object.entries(machine)) {

@@ -10,14 +10,15 @@ npm run bench -- [options]
 Measures the built package in Chromium and writes tests/bench/results/STACK.json.
 
   --quick             one launch of each subject; prints, and writes only with --out
-  --only TEXT         subjects whose name contains TEXT; separate several by semicolons
+  --only TEXT         subjects whose name contains TEXT; may be given again
   --add               replaces these subjects in the stack's result and keeps the others
   --note TEXT         with --add: what the report has to say about that run
   --list              prints the subjects' names
   --launches N        fresh browsers for each subject (default 5)
   --minutes N         stops after the subject that reaches N minutes, with what it has
   --browser PATH      another Chromium
-  --flags "A B"       its flags, separated by spaces (default: software rendering)
+  --arg=FLAG          a flag of its own, such as --arg=--use-angle=vulkan; may be given again
+                      (default: software rendering)
   --stack NAME        name of the result (default software), such as h100-vulkan
   --size WxH          pixels of a picture (default: 480x360 in software, 1920x1080 on a GPU;
                       whole pictures, whose error is measured: 400x300)
@@ -32,20 +33,21 @@ npm run bench:report writes tests/bench/REPORT.md and its charts from all result
 
 /** @typedef {ReturnType<typeof readOptions>} Options */
 
-/** Refuses what it cannot understand. @param {readonly string[]} args */
-export function readOptions(args = process.argv.slice(2)) {
+/** Refuses what it cannot understand. */
+export function readOptions() {
   const flag = /** @type {const} */ ({ type: 'boolean', default: false });
   const text = /** @type {const} */ ({ type: 'string', default: '' });
+  const several = /** @type {const} */ ({ type: 'string', multiple: true });
   const options = {
     quick: flag,
     add: flag,
     list: flag,
     limits: flag,
-    only: text,
+    only: several,
+    arg: several,
     launches: text,
     minutes: text,
     browser: text,
-    flags: text,
     size: text,
     out: text,
     note: text,
@@ -53,32 +55,17 @@ export function readOptions(args = process.argv.slice(2)) {
     built: text,
     stack: { ...text, default: 'software' },
   };
-  const { values } = readCommandLine(HELP, options, [], joined(args));
-  const split = (/** @type {string} */ list, /** @type {string} */ separator) =>
-    list
-      .split(separator)
-      .map((part) => part.trim())
-      .filter((part) => part !== '');
+  const { values } = readCommandLine(HELP, options);
   const size = /^(\d+)x(\d+)$/.exec(values.size);
   if (values.size !== '' && size === null) {
     refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
   }
   return {
     ...values,
-    only: split(values.only, ';'),
+    only: values.only ?? [],
+    arg: values.arg ?? [],
     launches: numberOption('launches', values.launches || (values.quick ? '1' : '5'), 1),
     minutes: values.minutes === '' ? Infinity : numberOption('minutes', values.minutes, 1),
-    flags: split(values.flags, ' '),
     size: size && /** @type {const} */ ([Number(size[1]), Number(size[2])]),
   };
-}
-
-/**
- * Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it.
- * @param {readonly string[]} args
- */
-function joined(args) {
-  const at = args.indexOf('--flags');
-  if (at < 0 || at === args.length - 1) return args;
-  return [...args.slice(0, at), `--flags=${args[at + 1]}`, ...args.slice(at + 2)];
 }
