@@ -78,8 +78,6 @@ export const MAGNIFIED = 50;
 const PLACES = {
   'h200-vulkan': 'On an NVIDIA H200 (Vulkan)',
   'h200-opengl': 'On an NVIDIA H200 (OpenGL)',
-  'h100-vulkan': 'On an NVIDIA H100 (Vulkan)',
-  'h100-opengl': 'On an NVIDIA H100 (OpenGL)',
   software: 'In software (SwiftShader)',
 };
 

@@ -10,9 +10,9 @@ import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { casterCode } from '../support/cast.mjs';
-import { writeFirstModels, writeModels } from './models.mjs';
+import { writeModels } from './models.mjs';
 import { PAGE_NAMES } from './pages.mjs';
-import { copyPeers, installPeers } from './peers/install.mjs';
+import { copyPeers, DRACO, installPeers } from './peers/install.mjs';
 import { repository } from '../support/repository.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -43,16 +43,8 @@ export async function buildPages(folder) {
   // What a page may fetch: all but types and source maps.
   const filter = (/** @type {string} */ file) => !/[\\/]types$|\.map$/.test(file);
   cpSync(outputFolder('dist'), join(folder, 'dist'), { recursive: true, filter });
-  cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   writeModels(join(folder, 'models'));
-  writeFirstModels(join(folder, 'models'));
-  cpSync(
-    join(repository, 'node_modules/three/examples/jsm/libs/draco/gltf'),
-    join(folder, 'draco'),
-    {
-      recursive: true,
-    },
-  );
+  cpSync(DRACO, join(folder, 'draco'), { recursive: true });
   const peers = installPeers();
   if (peers === null) {
     console.error('The other viewers cannot be installed: no model will be measured.');
@@ -76,7 +68,7 @@ export async function buildPages(folder) {
  */
 function compress(folder) {
   for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
-    if (!/^(?:dist|peers|models|start-model).*\.(?:html|js|wasm|gltf)$/.test(file)) continue;
+    if (!/^(?:dist|draco|peers|models|start-model).*\.(?:html|js|wasm|gltf)$/.test(file)) continue;
     // The highest level that does not take minutes for all of them.
     const params = { [constants.BROTLI_PARAM_QUALITY]: 9 };
     const bytes = brotliCompressSync(readFileSync(join(folder, file)), { params });

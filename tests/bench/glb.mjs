@@ -33,14 +33,8 @@ export class Gltf {
     const start = this.#length;
     this.#parts.push({ start, bytes });
     this.#length += padded(bytes.length);
-    return (
-      this.json.bufferViews.push({
-        buffer: 0,
-        byteOffset: start,
-        byteLength: bytes.length,
-        ...more,
-      }) - 1
-    );
+    const view = { buffer: 0, byteOffset: start, byteLength: bytes.length, ...more };
+    return this.json.bufferViews.push(view) - 1;
   }
 
   /**
@@ -99,14 +93,13 @@ export class Gltf {
 
 /** @param {Float32Array | Int16Array} positions */
 export function bounds(positions) {
-  const [min, max] = [Infinity, -Infinity].map((x) => [x, x, x]);
+  /** @type {number[]} */
+  const min = [];
+  /** @type {number[]} */
+  const max = [];
   positions.forEach((x, i) => {
-    if (min) {
-      min[i % 3] = Math.min(min[i % 3] ?? x, x);
-    }
-    if (max) {
-      max[i % 3] = Math.max(max[i % 3] ?? x, x);
-    }
+    min[i % 3] = Math.min(min[i % 3] ?? x, x);
+    max[i % 3] = Math.max(max[i % 3] ?? x, x);
   });
   return { min, max };
 }

@@ -80,12 +80,6 @@ export function writeModels(folder) {
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
   write(CHECKS, checkedSphere().glb());
-}
-
-/** @param {string} folder */
-export function writeFirstModels(folder) {
-  /** @param {string} name @param {string | Uint8Array} file */
-  const write = (name, file) => writeFileSync(join(folder, name), file);
   write(FIRST_MODELS['GLB of 1 MB'], glbOf(bumpySphere(230, 115)));
   write(FIRST_MODELS['GLB of 10 MB'], glbOf(bumpySphere(540, 380)));
   const [json, bin] = gltfOf(bumpySphere(230, 115)).pair('first.bin');

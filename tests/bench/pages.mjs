@@ -25,7 +25,7 @@ const modelPage = (script, name, attributes, source, loaded) => [
   `<${name} ${attributes}></${name}>
 <script>
   // Before the modules run, as if the author had written the attribute.
-  self.ModelViewerElement = { dracoDecoderLocation: new URL('./peers/draco/', location.href).href };
+  self.ModelViewerElement = { dracoDecoderLocation: new URL('./draco/', location.href).href };
   const viewer = document.querySelector('${name}');
   viewer.addEventListener('${loaded}', () => (window.modelLoaded = true));
   viewer.setAttribute('${source}', new URLSearchParams(location.search).get('model'));

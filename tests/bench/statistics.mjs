@@ -37,8 +37,15 @@ export const spread = (numbers) => ({
 export const pairedRatios = (ours, theirs) => ours.map((sample, i) => sample / (theirs[i] ?? NaN));
 
 /**
- * Rounds of samples, one of each subject a round, every other round backwards, so that none always
- * follows the same one.
+ * A list in the order of a round: every other one is backwards, so that no entry always follows the
+ * same one.
+ * @template T
+ * @param {readonly T[]} list @param {number} round
+ */
+export const inTurns = (list, round) => (round % 2 === 0 ? list : list.toReversed());
+
+/**
+ * Rounds of samples, one of each subject a round, in turns.
  * @template S, T
  * @param {readonly S[]} subjects @param {number} rounds
  * @param {(subject: S) => Promise<T>} sample
@@ -47,9 +54,8 @@ export const pairedRatios = (ours, theirs) => ours.map((sample, i) => sample / (
 export async function interleaved(subjects, rounds, sample) {
   const samples = subjects.map(() => /** @type {T[]} */ ([]));
   for (let round = 0; round < rounds; round++) {
-    const order = subjects.map((_, i) => (round % 2 === 0 ? i : subjects.length - 1 - i));
-    for (const i of order) {
-      samples[i]?.push(await sample(/** @type {S} */ (subjects[i])));
+    for (const [i, subject] of inTurns([...subjects.entries()], round)) {
+      samples[i]?.push(await sample(subject));
     }
   }
   return samples;

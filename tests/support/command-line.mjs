@@ -14,15 +14,14 @@ import { parseArgs } from 'node:util';
  * @param {string} usage
  * @param {T} options as parseArgs takes them
  * @param {readonly string[]} [names] that may stand without dashes
- * @param {readonly string[]} [args]
  */
-export function readCommandLine(usage, options, names = [], args = process.argv.slice(2)) {
-  if (args.includes('--help') || args.includes('-h')) {
+export function readCommandLine(usage, options, names = []) {
+  if (process.argv.includes('--help') || process.argv.includes('-h')) {
     console.log(usage.trim());
     process.exit(0);
   }
   try {
-    const read = parseArgs({ args: [...args], options, allowPositionals: true, strict: true });
+    const read = parseArgs({ options, allowPositionals: true });
     const unknown = read.positionals.filter((name) => !names.includes(name));
     if (unknown.length > 0) throw new Error(`Unknown argument '${unknown[0]}'.`);
     return read;

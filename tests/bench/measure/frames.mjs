@@ -5,7 +5,7 @@
 // GPU time, in software CPU time of the GPU process.
 
 import { frameTime, gpuProcess, mainThreadTime, openPage } from '../browser.mjs';
-import { interleaved } from '../statistics.mjs';
+import { interleaved, inTurns } from '../statistics.mjs';
 
 /** Frames before the first sample: the very first ones compile. */
 const WARM_FRAMES = 2;
@@ -36,8 +36,7 @@ export async function measureFrames(lab, { scene, sides }, launch, { size, round
   const gpu = await gpuProcess(browser);
   /** @type {Record<string, Opened & { first: number, longest: number, usual: number }>} */
   const opened = {};
-  // Every other launch backwards, so that no side always comes first.
-  for (const side of launch % 2 === 0 ? sides : [...sides].reverse()) {
+  for (const side of inTurns(sides, launch)) {
     const one = await openSide(browser, lab, scene, side, size);
     await one.page.evaluate((n) => window.bench.draw(n), WARM_FRAMES);
     const first = (await sample(one, gpu, FIRST_FRAMES)) / FIRST_FRAMES;
@@ -50,9 +49,7 @@ export async function measureFrames(lab, { scene, sides }, launch, { size, round
     SAMPLE,
     rounds,
   );
-  for (const { check } of pages) {
-    check();
-  }
+  pages.forEach(({ check }) => check());
   /**
    * @param {string} measure @param {(one: typeof pages[number], i: number) => number | undefined}
    * valueOf
@@ -98,9 +95,7 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
     checks.push(check);
   }
   const samples = await frameTimes(samplers, SCRIPT_SAMPLE, rounds);
-  for (const check of checks) {
-    check();
-  }
+  checks.forEach((check) => check());
   for (let round = 0; round < rounds; round++) {
     const values = sides.map((side, i) => [side, 1000 * (samples[i]?.[round] ?? NaN)]);
     add('script per frame', 'µs', Object.fromEntries(values));

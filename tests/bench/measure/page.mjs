@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs';
 import { builtFrom } from '../build.mjs';
 import { cpuSeconds, gpuProcess, isSoftware, openPage } from '../browser.mjs';
 
+/** @typedef {import('../pages/element-side.js').Viewer} Viewer */
 /** @typedef {Pick<import('./frames.mjs').Options, 'size' | 'rounds' | 'add'>} Options */
 
 const RATE_MS = 2000;
@@ -48,25 +49,18 @@ export async function measureViewers(lab, { size, add }) {
 export async function measureStill(lab, { geometry }, { size, rounds, add }) {
   const browser = await lab.launch();
   const { page, check } = await openPage(browser, `${lab.origin}/start-standalone.html`, size);
-  await page.evaluate((shape) => {
-    const viewer = document.querySelector('phong-viewer');
-    if (viewer === null) throw new Error('no viewer');
-    Object.assign(document.body.style, { margin: '0' });
-    Object.assign(viewer.style, { width: '100vw', height: '100vh' });
-    viewer.setAttribute('geometry', shape);
-  }, geometry);
+  const viewer = page.locator('phong-viewer');
+  await viewer.evaluate(fillPage);
+  await viewer.evaluate((element, shape) => element.setAttribute('geometry', shape), geometry);
   /** @param {'full' | 'edges'} antialias */
   const time = (antialias) =>
-    page.evaluate(async (mode) => {
-      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
-        document.querySelector('phong-viewer')
-      );
-      viewer.antialias = mode;
-      await viewer.ready;
+    viewer.evaluate(async (/** @type {Viewer} */ element, mode) => {
+      element.antialias = mode;
+      await element.ready;
       await new Promise((resolve) => setTimeout(resolve, 100));
       const start = performance.now();
-      viewer.theta += 1;
-      await viewer.ready;
+      element.theta += 1;
+      await element.ready;
       return performance.now() - start;
     }, antialias);
   for (let round = -WARM_CHANGES; round < rounds; round++) {
@@ -76,6 +70,12 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
     }
   }
   check();
+}
+
+/** Runs in the page. @param {HTMLElement | SVGElement} viewer */
+function fillPage(viewer) {
+  Object.assign(document.body.style, { margin: '0' });
+  Object.assign(viewer.style, { width: '100vw', height: '100vh' });
 }
 
 /** As README shows its scene. */
@@ -99,43 +99,33 @@ export async function measureMoving(lab, { scene, ratio }, { machine }, { size, 
   const url = `${lab.origin}/start-standalone.html`;
   const shown = scene === 'shapes' ? README_SIZE : size;
   const { page, check } = await openPage(browser, url, shown, ratio);
-  await page.evaluate(
-    async ({ html, count }) => {
-      if (html !== '') {
-        document.body.innerHTML = html;
-      }
-      const viewer = document.querySelector('phong-viewer');
-      if (viewer === null) throw new Error('no viewer');
-      Object.assign(document.body.style, { margin: '0' });
-      Object.assign(viewer.style, { width: '100vw', height: '100vh' });
-      for (let i = 0; i < count; i++) {
-        const light = document.createElement('phong-light');
-        const place = [3 * Math.sin(i), 1 + (i % 5), 3 * Math.cos(i), 1];
-        light.setAttribute('position', place.join(' '));
-        light.setAttribute('diffuse', '20 18 16');
-        viewer.append(light);
-      }
-      await viewer.ready;
-    },
-    scene === 'shapes' ? { html: readmeScene(), count: 0 } : { html: '', count: MOVING.lights },
-  );
+  const viewer = page.locator('phong-viewer');
+  if (scene === 'shapes') {
+    await page.evaluate((html) => (document.body.innerHTML = html), readmeScene());
+  } else {
+    const lights = Array.from({ length: MOVING.lights }, (_, i) => {
+      const place = [3 * Math.sin(i), 1 + (i % 5), 3 * Math.cos(i), 1].join(' ');
+      return `<phong-light position="${place}" diffuse="20 18 16"></phong-light>`;
+    });
+    const html = lights.join('');
+    await viewer.evaluate((element, more) => element.insertAdjacentHTML('beforeend', more), html);
+  }
+  await viewer.evaluate(fillPage);
+  await viewer.evaluate((/** @type {Viewer} */ element) => element.ready);
   const gpu = await gpuProcess(browser); // it starts with the first picture
   if (gpu === null) return;
   /** @param {number} pictures @param {number | 'auto'} [pixelRatio] */
   const turn = (pictures, pixelRatio) =>
-    page.evaluate(
-      async ([count, most]) => {
-        const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
-          document.querySelector('phong-viewer')
-        );
-        viewer.pixelRatio = most ?? viewer.pixelRatio;
-        viewer.autoRotate = 30;
+    viewer.evaluate(
+      async (/** @type {Viewer} */ element, [count, most]) => {
+        element.pixelRatio = most ?? element.pixelRatio;
+        element.autoRotate = 30;
         for (let i = 0; i < count; i++) {
           await new Promise((resolve) =>
-            viewer.addEventListener('render', resolve, { once: true }),
+            element.addEventListener('render', resolve, { once: true }),
           );
         }
-        return viewer.stats.frames;
+        return element.stats.frames;
       },
       /** @type {const} */ ([pictures, pixelRatio]),
     );

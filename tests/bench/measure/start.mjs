@@ -2,6 +2,8 @@
 // How long pages take from navigation to their first picture, and what they keep in memory then: a
 // fresh browser for each page, nothing cached, in turns.
 
+import { inTurns } from '../statistics.mjs';
+
 const SIZE = { width: 1280, height: 800 };
 const PATIENCE_MS = 60_000;
 /** From the first picture until the heap is read: what the page prepares by then is part of it. */
@@ -48,7 +50,7 @@ export async function measureInTurns(pages, round, load, measures, add) {
   const sides = Object.keys(pages);
   /** @type {Record<string, T>} */
   const loads = {};
-  for (const side of round % 2 === 0 ? sides : [...sides].reverse()) {
+  for (const side of inTurns(sides, round)) {
     loads[side] = await load(pages[side] ?? '');
   }
   for (const [measure, unit, key] of measures) {

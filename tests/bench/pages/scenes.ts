@@ -20,7 +20,7 @@ export type RoundShape = 'sphere' | 'torus' | 'teapot';
 
 interface SceneMesh {
   /** A built-in shape, or a model's file. */
-  readonly shape: RoundShape | 'box' | 'bunny.glb';
+  readonly shape: RoundShape | 'box' | 'models/bunny.glb';
   readonly position?: Vec3;
   readonly scale?: number;
 }
@@ -175,7 +175,7 @@ export function sceneOf(name: string): Scene {
     case 'bunny':
       return {
         lights: mixedLights(lights, 6),
-        meshes: [{ shape: 'bunny.glb' }],
+        meshes: [{ shape: 'models/bunny.glb' }],
         radius: 2.9,
         motion: 'camera',
       };

@@ -1,18 +1,8 @@
 // A bundled page with 64 viewers, each with the bench's three lights.
-import 'phong-viewer';
-import { mixedLights } from './scenes.js';
+import { sphereViewer } from './sphere-viewer.js';
 import { pictureIsThere } from './start-viewers.js';
 
-const viewers = Array.from({ length: 64 }, () => {
-  const viewer = Object.assign(document.createElement('phong-viewer'), {
-    alt: 'A sphere',
-    geometry: 'sphere',
-  });
-  viewer.append(
-    ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
-  );
-  return viewer;
-});
+const viewers = Array.from({ length: 64 }, sphereViewer);
 document.body.append(...viewers);
 
 const drawn = viewers.map(

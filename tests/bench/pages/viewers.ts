@@ -1,7 +1,6 @@
 // Turning viewers that fill the page, in so many columns and rows: viewers.html?columns=5&rows=4.
 // They draw at the browser's own frame rate.
-import 'phong-viewer';
-import { mixedLights } from './scenes.js';
+import { sphereViewer } from './sphere-viewer.js';
 
 declare global {
   interface Window {
@@ -17,12 +16,9 @@ const [columns, rows] = [Number(query.get('columns')), Number(query.get('rows'))
 document.body.style.gridTemplate = `repeat(${String(rows)}, 1fr) / repeat(${String(columns)}, 1fr)`;
 
 const viewers = Array.from({ length: columns * rows }, () => {
-  const viewer = document.createElement('phong-viewer');
-  Object.assign(viewer, { alt: 'A sphere', geometry: 'sphere', autoRotate: 30 });
+  const viewer = sphereViewer();
+  viewer.autoRotate = 30;
   viewer.pixelRatio = devicePixelRatio; // all pixels, also where drawing is slow
-  viewer.append(
-    ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
-  );
   return viewer;
 });
 document.body.append(...viewers);

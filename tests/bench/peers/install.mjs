@@ -10,7 +10,8 @@ import { fileURLToPath } from 'node:url';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const packages = join(here, 'node_modules');
-const threeDraco = fileURLToPath(
+/** The decoder that all viewers load. */
+export const DRACO = fileURLToPath(
   new URL('../../../node_modules/three/examples/jsm/libs/draco/gltf/', import.meta.url),
 );
 const BABYLON_HOST = 'https://cdn.babylonjs.com';
@@ -56,13 +57,12 @@ export function copyPeers(folder) {
       text.replaceAll(BABYLON_HOST, '/peers/babylon-host'),
     );
   }
-  cpSync(threeDraco, join(folder, 'draco'), { recursive: true });
   const { version } = JSON.parse(
     readFileSync(join(packages, '@babylonjs/viewer/package.json'), 'utf8'),
   );
   const host = join(folder, 'babylon-host', `v${version}`);
   for (const [name, file] of Object.entries(BABYLON_DRACO)) {
-    cpSync(join(threeDraco, file), join(host, name));
+    cpSync(join(DRACO, file), join(host, name));
   }
 }
 
