@@ -88,15 +88,14 @@ export function load(viewer: ViewerLocator, src: string): Promise<string> {
   return viewer.evaluate(
     (element, [address, patience]) =>
       new Promise<string>((resolve) => {
-        const end = (outcome: string): void => {
+        const end = (outcome: string) => {
           clearTimeout(late);
           element.removeEventListener('load', loaded);
           element.removeEventListener('error', failed);
           void element.ready.then(() => resolve(outcome));
         };
-        const loaded = (): void => end('load');
-        const failed = (event: Event): void =>
-          end((event as CustomEvent<{ code: string }>).detail.code);
+        const loaded = () => end('load');
+        const failed = (event: Event) => end((event as CustomEvent<{ code: string }>).detail.code);
         const late = setTimeout(() => resolve('hangs'), patience);
         element.addEventListener('load', loaded);
         element.addEventListener('error', failed);
@@ -147,7 +146,7 @@ export class MemoryWatch {
     return Math.max(this.#most, this.#read()) - this.#base;
   }
 
-  #read(): number {
+  #read() {
     let kilobytes = 0;
     for (const id of this.#processes) {
       try {

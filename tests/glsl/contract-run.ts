@@ -1,7 +1,6 @@
 // One run of the contract as a test: the harness page tests itself in this browser, on its own
 // driver or on a worst lawful one.
 import { expect, test } from '../support/test.js';
-import type { Report } from './page/page.js';
 import type { Driver } from './worst-driver.js';
 import { SEED } from '../support/repeats.js';
 
@@ -27,7 +26,7 @@ export function testContract({ driver, cases, checks, everyLight }: ContractRun,
     test.setTimeout(300_000);
     const extent = `cases=${cases}&checks=${checks}&everyLight=${everyLight}`;
     await page.goto(`/harness/index.html?driver=${driver}&seed=${SEED}&${extent}`);
-    const report: Report = await page.evaluate(() => window.finished);
+    const report = await page.evaluate(() => window.finished);
     console.log(`seed ${String(SEED)}, ${report.seconds.toFixed(1)} s, ${report.renderer}`);
     expect(report.error).toBeNull();
     expect(report.checked.length).toBeGreaterThan(10);

@@ -140,7 +140,7 @@ void main() {
     this.#gl.deleteProgram(this.#program);
   }
 
-  #bind({ data, width }: FloatTexture, unit: number): WebGLTexture {
+  #bind({ data, width }: FloatTexture, unit: number) {
     const gl = this.#gl;
     const texture = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + unit);

@@ -103,7 +103,7 @@ function writeCase(
   inputs: readonly Float32Array[],
   rows: RowStore,
   { linear }: Variant,
-): void {
+) {
   const { p, eye, normal, normalMatrix: m = [], surface } = stress;
   // Ka, Kd and Ks as the material sends them.
   const channel = (k: number) => (linear ? srgbDecode(k / 255) : k / 255);
@@ -145,7 +145,7 @@ class RowStore {
     this.#variant = variant;
   }
 
-  add(stress: StressCase): Place {
+  add(stress: StressCase) {
     const last = this.#last;
     if (last?.lights === stress.lights && last.origin === stress.origin) return last.place;
     const packed = pack(stress, this.#variant);
@@ -173,7 +173,7 @@ class RowStore {
     return { data, width };
   }
 
-  #reserve(floats: number): void {
+  #reserve(floats: number) {
     if (floats <= this.#data.length) return;
     const grown = new Float32Array(Math.max(floats, this.#data.length * 2));
     grown.set(this.#data);

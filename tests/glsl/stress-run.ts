@@ -13,7 +13,6 @@ import { EXACT } from '../stress/contract.js';
 import { partSeed, replayed } from '../stress/random.js';
 import { Search } from '../stress/search.js';
 import type { Edit } from './edit.js';
-import type { PassResult } from './float-pass.js';
 import { type LoopProgram, programsFor } from './loop-forms.js';
 import { LoopPass } from './loop-pass.js';
 import type { Driver } from './worst-driver.js';
@@ -130,7 +129,7 @@ class Passes {
     this.#edit = edit;
   }
 
-  run({ defines, form }: LoopProgram, variant: Variant, part: readonly Judged[]): PassResult {
+  run({ defines, form }: LoopProgram, variant: Variant, part: readonly Judged[]) {
     const key = defines.join();
     const pass = this.#made.get(key) ?? new LoopPass(this.#gl, defines, this.#driver, this.#edit);
     this.#made.set(key, pass);
@@ -138,7 +137,7 @@ class Passes {
     return pass.run(form, variant, cases);
   }
 
-  dispose(): void {
+  dispose() {
     for (const pass of this.#made.values()) {
       pass.dispose();
     }

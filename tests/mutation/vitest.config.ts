@@ -19,7 +19,7 @@ const ABOVE =
 const longest = new Map<string, number>();
 
 class QuickestFirst extends BaseSequencer {
-  override async sort(files: TestSpecification[]): Promise<TestSpecification[]> {
+  override async sort(files: TestSpecification[]) {
     const { cache, config } = this.ctx;
     for (const { project, moduleId } of files) {
       const file = moduleId.replace(`${config.root}/`, '');

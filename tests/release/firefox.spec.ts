@@ -10,7 +10,6 @@ import { expect, test } from '@playwright/test';
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import type { PhongViewer } from '../../src/viewer/index.js';
-import type { Report } from '../glsl/page/page.js';
 import { startSite, testMounts, type Site } from '../support/site.js';
 
 const SIZE = { width: 160, height: 120 };
@@ -50,7 +49,7 @@ test('@release keeps the contract in Firefox, on its driver and on the worst law
     // Its page begins at once, so a busy machine loads it late: the limit is the test's.
     const url = `${site.origin}/harness/index.html?driver=${driver}&cases=1e6&seed=${seed}`;
     await page.goto(url, { timeout: 0 });
-    const report: Report = await page.evaluate(() => window.finished);
+    const report = await page.evaluate(() => window.finished);
     console.log(`seed ${seed}, ${driver}, ${report.seconds.toFixed(1)} s, ${report.renderer}`);
     expect(report.error).toBeNull();
     expect.soft(report.broken, driver).toEqual([]);

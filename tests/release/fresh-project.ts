@@ -54,7 +54,7 @@ export function freshProject(packages: readonly string[]) {
   const ends: (() => unknown)[] = [];
   const project = {
     folder,
-    write(path: string, text: string): void {
+    write(path: string, text: string) {
       mkdirSync(dirname(join(folder, path)), { recursive: true });
       writeFileSync(join(folder, path), text);
     },
@@ -170,7 +170,7 @@ function serve(script: string, args: readonly string[], cwd: string) {
   const server = spawn(process.execPath, [script, ...args], { cwd, env, stdio: 'pipe' });
   let said = '';
   const origin = new Promise<string>((resolve, reject) => {
-    const hear = (chunk: Buffer): void => {
+    const hear = (chunk: Buffer) => {
       said += chunk.toString();
       const [, port] =
         /http:\/\/(?:localhost|127\.0\.0\.1|0\.0\.0\.0|\[::\]):(\d+)/.exec(said) ?? [];

@@ -52,7 +52,7 @@ export class Random {
   }
 
   /** A unit vector that is not along `axis`. */
-  #across(axis: Vec3): Vec3 {
+  #across(axis: Vec3) {
     for (;;) {
       const v = this.unit();
       const c = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];

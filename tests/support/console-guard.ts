@@ -59,7 +59,7 @@ export class ConsoleGuard {
     if (faults.length > 0) throw new Error(faults.join('\n'));
   }
 
-  #hear(text: string): void {
+  #hear(text: string) {
     const claim = this.#claims.find(({ pattern }) => pattern.test(text));
     if (claim !== undefined) {
       claim.met.push(text);

@@ -80,7 +80,7 @@ export class SharedPage {
     await context?.close();
   }
 
-  #watch(target: BrowserContext | Page): void {
+  #watch(target: BrowserContext | Page) {
     this.#after(
       target,
       'addInitScript',
@@ -105,7 +105,7 @@ export class SharedPage {
     this.#after(target.clock, 'install', () => () => undefined, true);
   }
 
-  #watchPage(page: Page): void {
+  #watchPage(page: Page) {
     const size = page.viewportSize();
     this.#watch(page);
     this.#after(page, 'emulateMedia', () => () => page.emulateMedia(NO_MEDIA));
@@ -113,7 +113,7 @@ export class SharedPage {
   }
 
   /** Calls what `undo` makes of a method's result and arguments when the page is given back. */
-  #after(target: object, name: string, undo: Method, final = false): void {
+  #after(target: object, name: string, undo: Method, final = false) {
     const real = Reflect.get(target, name) as Method | undefined;
     if (real === undefined) return;
     Reflect.set(target, name, (...given: never[]) => {
@@ -131,7 +131,7 @@ export class SharedPage {
  * Runs in each page: the drawing that viewers time takes none, so they have all pixels on a slow
  * machine too.
  */
-function drawAtOnce(): void {
+function drawAtOnce() {
   const gl = WebGL2RenderingContext.prototype;
   const { clientWaitSync } = gl;
   // An exercise waits for its own drawing. Its context has no depth.

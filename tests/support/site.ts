@@ -132,13 +132,13 @@ function fileUnder(mounts: Readonly<Record<string, string>>, path: string) {
   return stats === undefined ? undefined : file;
 }
 
-function sendText(response: ServerResponse, { type, text, csp, gzip = false }: Stored): void {
+function sendText(response: ServerResponse, { type, text, csp, gzip = false }: Stored) {
   response
     .writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) })
     .end(text);
 }
 
-function sendFile(response: ServerResponse, file: string | undefined, policy: string): void {
+function sendFile(response: ServerResponse, file: string | undefined, policy: string) {
   if (file === undefined) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found');
     return;

@@ -70,7 +70,7 @@ async function open(
   await drawUntilReady(viewer);
 
   let extra: LightElement | null = null;
-  const change = (i: number): void => {
+  const change = (i: number) => {
     switch (scene.motion) {
       case 'camera':
         viewer.theta = thetaAt(i);

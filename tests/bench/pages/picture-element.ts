@@ -69,8 +69,7 @@ export const openElement =
     const gl = onlyContext();
     let isNudged = false;
 
-    const turn = (by: number): void =>
-      viewers.forEach((viewer, i) => (viewer.theta = thetas[i]! + by));
+    const turn = (by: number) => viewers.forEach((viewer, i) => (viewer.theta = thetas[i]! + by));
     /**
      * Changes the picture and draws until it has so many samples. Ends in the task that drew it.
      */

@@ -97,8 +97,8 @@ const open =
     const all = await canvases(holder, scene, cell, multisamples);
     /** The picture that the canvases show. */
     let last = { method: '', step: 0 };
-    const drawAll = ({ draw }: Way, k: number): void => all.forEach((canvas) => draw(canvas, k));
-    const finishAll = (): void => all.forEach((canvas) => finish(canvas.gl));
+    const drawAll = ({ draw }: Way, k: number) => all.forEach((canvas) => draw(canvas, k));
+    const finishAll = () => all.forEach((canvas) => finish(canvas.gl));
     return {
       methods: Object.fromEntries(
         Object.entries(ways).map(([name, { steps }]) => [name, { steps }]),

@@ -121,7 +121,7 @@ async function loadGeometry(url: string, material: Material) {
 }
 
 /** To where the eye is at this frame. */
-function turn(camera: PerspectiveCamera, { motion, radius }: BenchScene, frame: number): void {
+function turn(camera: PerspectiveCamera, { motion, radius }: BenchScene, frame: number) {
   const theta = motion === 'camera' ? MathUtils.degToRad(thetaAt(frame)) : 0;
   camera.position.set(radius * Math.sin(theta), 0, radius * Math.cos(theta));
   camera.lookAt(0, 0, 0);
@@ -144,7 +144,7 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
   }
 
   let extra: Light | null = null;
-  const change = (i: number): void => {
+  const change = (i: number) => {
     switch (bench.motion) {
       case 'lights':
         lights.forEach((light, k) => {
@@ -173,7 +173,7 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
       case 'camera':
     }
   };
-  const draw = (i: number): void => {
+  const draw = (i: number) => {
     turn(camera, bench, i);
     renderer.render(scene, camera);
   };

@@ -317,7 +317,7 @@ test('of meshes at one place the last one in document order is visible, with any
 });
 
 /** Other programs may be off by one code on 0.02 % of channels. */
-function expectAlike(actual: Picture, wanted: Picture, name: string): void {
+function expectAlike(actual: Picture, wanted: Picture, name: string) {
   const { max, share } = compare(actual, wanted, 0);
   expect(max, name).toBeLessThanOrEqual(1);
   expect(share, name).toBeLessThanOrEqual(2e-4);

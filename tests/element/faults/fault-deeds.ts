@@ -32,7 +32,7 @@ export function installFaultDeeds(): void {
   const viewers = () => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
   const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
   /** Promises may reject here, but they must settle. */
-  const keep = (promise: Promise<unknown>, what: string): void => {
+  const keep = (promise: Promise<unknown>, what: string) => {
     const settled = promise
       .catch(() => undefined)
       .then(() => {
@@ -40,11 +40,11 @@ export function installFaultDeeds(): void {
       });
     promises.set(settled, what);
   };
-  const setVisibility = (state: DocumentVisibilityState): void => {
+  const setVisibility = (state: DocumentVisibilityState) => {
     visibility = state;
     document.dispatchEvent(new Event('visibilitychange'));
   };
-  const resize = (viewer: PhongViewer, size: string): void => {
+  const resize = (viewer: PhongViewer, size: string) => {
     const [width, height] = size.split(' ');
     viewer.style.width = size === '' ? '' : `${width}px`;
     viewer.style.height = size === '' ? '' : `${height}px`;
@@ -92,7 +92,7 @@ export function installFaultDeeds(): void {
     },
   };
 
-  function take(step: Step): void {
+  function take(step: Step) {
     anywhere[step.what]?.(step.value);
     const all = viewers();
     const viewer = all[step.viewer % Math.max(all.length, 1)];
@@ -151,7 +151,7 @@ export function installFaultDeeds(): void {
 
   async function leaks() {
     const found: string[] = [];
-    const expect = (what: string, actual: number, wanted: number): void => {
+    const expect = (what: string, actual: number, wanted: number) => {
       if (actual !== wanted) {
         found.push(`${actual} ${what}, not ${wanted}`);
       }

@@ -38,7 +38,7 @@ class FaultPlayer {
     });
   }
 
-  async start(): Promise<void> {
+  async start() {
     await installFaults(this.#page);
     await this.#page.addInitScript(installFaultDeeds);
     await this.#page.route('**/*.glb', (route) => this.#answerModel(route));
@@ -48,7 +48,7 @@ class FaultPlayer {
   }
 
   /** The faults at the first look that found any; null if none did. */
-  async play({ begins, tasks }: Scenario): Promise<string | null> {
+  async play({ begins, tasks }: Scenario) {
     const page = this.#page;
     this.#requests = 'answered';
     await this.#mount(begins.join(''), { ...SIZE, waitForReady: false });
@@ -73,7 +73,7 @@ class FaultPlayer {
     return null;
   }
 
-  async #answerModel(route: Route): Promise<void> {
+  async #answerModel(route: Route) {
     if (this.#requests === 'models aborted') {
       await route.abort();
     } else if (this.#requests === 'models missing') {
@@ -85,7 +85,7 @@ class FaultPlayer {
     }
   }
 
-  async #look(): Promise<string> {
+  async #look() {
     const page = this.#page;
     this.#requests = 'answered';
     const unsettled = await page.evaluate(() => window.faultDeeds.heal());

@@ -35,7 +35,7 @@ export async function installFaults(page: Page): Promise<void> {
 }
 
 /** Runs in the page. */
-function wrapContexts(): void {
+function wrapContexts() {
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   const gl = WebGL2RenderingContext.prototype;
   const isLost = gl.isContextLost;

@@ -59,7 +59,7 @@ async function shownAfter(
   };
 }
 
-const moveLights = (element: PhongViewer): void => {
+const moveLights = (element: PhongViewer) => {
   for (const light of element.lights) {
     const [x, y, z, w] = light.position;
     light.position = [x - 0.3 * z, y, z + 0.3 * x, w];

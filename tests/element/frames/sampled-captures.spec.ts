@@ -29,7 +29,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
       new Uint8Array(await (await blob).arrayBuffer()).join();
     const mesh = () => element.querySelector('phong-mesh')!;
     const parent = element.parentElement!;
-    const reported = (change: () => void) => (): void => {
+    const reported = (change: () => void) => () => {
       change();
       element.requestRender();
     };

@@ -151,7 +151,7 @@ const without = (page: Page, ...names: string[]) =>
     const { prototype } = WebGL2RenderingContext;
 
     const original = prototype.getExtension as (this: unknown, name: string) => unknown;
-    prototype.getExtension = function (this: unknown, name: string): unknown {
+    prototype.getExtension = function (this: unknown, name: string) {
       return lacking.includes(name) ? null : original.call(this, name);
     } as typeof prototype.getExtension;
   }, names);

@@ -88,7 +88,7 @@ export function installDeeds(): void {
       await frame();
     }
   }
-  function assign(target: Element | undefined, key: string, value: string | null): void {
+  function assign(target: Element | undefined, key: string, value: string | null) {
     if (target === undefined) return;
     try {
       Reflect.set(target, key, value);

@@ -53,7 +53,7 @@ export async function walkOn(page: Page): Promise<void> {
 }
 
 /** Runs in the page, after the others. */
-function installWalk(): void {
+function installWalk() {
   const { walkWatch: watch, walkDeeds: deeds } = window;
   const { viewers, frame, seenOf, blobOf, handled } = watch;
 

@@ -41,7 +41,7 @@ export function installTrees(): void {
       yield* under(child);
     }
   }
-  const parentsIn = (viewer: PhongViewer): Parent[] => [
+  const parentsIn = (viewer: PhongViewer) => [
     viewer,
     ...[...under(viewer)].flatMap((element) => [shadows.get(element) ?? [], element].flat()),
   ];
@@ -55,7 +55,7 @@ export function installTrees(): void {
     parent: Parent | undefined,
     element: Element | undefined,
     how: string | undefined,
-  ): void {
+  ) {
     if (parent === undefined || element === undefined || contains(element, parent)) return;
     const before =
       { prepend: parent.firstChild, between: parent.children[1] ?? null }[how ?? ''] ?? null;
@@ -151,7 +151,7 @@ export function installTrees(): void {
    */
   function belonging(viewer: PhongViewer) {
     const found: Element[] = [];
-    const visit = (parent: Parent): void => {
+    const visit = (parent: Parent) => {
       for (const child of parent.children) {
         if (
           child.localName === 'phong-viewer' ||

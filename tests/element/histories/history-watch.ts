@@ -52,11 +52,7 @@ export function installWatch(): void {
   const current = new WeakMap<object, string>();
   let drawnBy = new Set<string>();
   let happened: string[] = [];
-  const wrap = (
-    owner: object,
-    name: string,
-    before: (self: object, given: unknown[]) => void,
-  ): void => {
+  const wrap = (owner: object, name: string, before: (self: object, given: unknown[]) => void) => {
     const real = Object.getOwnPropertyDescriptor(owner, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(owner, name, function (this: object, ...given: unknown[]) {
@@ -95,7 +91,7 @@ export function installWatch(): void {
       queueMicrotask(copyLone);
     });
   }
-  const note = (what: string): void => {
+  const note = (what: string) => {
     if (happened.length < 8) {
       happened.push(what);
     }
@@ -150,10 +146,10 @@ export function installWatch(): void {
     canvas.getContext('2d', { willReadFrequently: true })!.drawImage(source, 0, 0);
     return canvas;
   }
-  const listen = (type: string, heard: (viewer: PhongViewer, event: Event) => void): void => {
+  const listen = (type: string, heard: (viewer: PhongViewer, event: Event) => void) => {
     addEventListener(type, (event) => heard(event.target as PhongViewer, event), true); // capturing, because the events do not bubble
   };
-  const copy = (viewer: PhongViewer): void => {
+  const copy = (viewer: PhongViewer) => {
     seenBy.set(viewer, takeDrawn());
     const canvas = canvasOf(viewer);
     if (canvas === null || viewers().length > 1) return;
@@ -163,7 +159,7 @@ export function installWatch(): void {
    * A viewer that is alone from now on is drawn on another canvas, without an event: its picture is
    * the same.
    */
-  function copyLone(): void {
+  function copyLone() {
     const [viewer] = viewers();
     if (drawnBy.size > 0 && viewer !== undefined && viewers().length === 1) {
       copy(viewer);

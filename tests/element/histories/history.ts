@@ -61,7 +61,7 @@ class Player {
   }
 
   /** The faults at the first look that found any; null if none did. */
-  async play({ begins, tasks }: Scenario): Promise<string | null> {
+  async play({ begins, tasks }: Scenario) {
     await this.#open(begins);
     for (const [i, { steps, then }] of tasks.entries()) {
       await this.#take(steps);
@@ -78,7 +78,7 @@ class Player {
     return null;
   }
 
-  async #open(begins: readonly string[]): Promise<void> {
+  async #open(begins: readonly string[]) {
     const page = this.#page;
     await setPixelRatioOnce(page, 1);
     const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
@@ -102,7 +102,7 @@ class Player {
     this.#steps = 0;
   }
 
-  async #take(steps: readonly Step[]): Promise<void> {
+  async #take(steps: readonly Step[]) {
     this.#steps += steps.length;
     let rest = steps;
     while (rest.length > 0) {
@@ -117,7 +117,7 @@ class Player {
     }
   }
 
-  async #look(): Promise<string> {
+  async #look() {
     const busy = await this.#page.evaluate(() => window.walk.settle());
     if (busy !== '') return busy;
     const rests = await this.#page.evaluate(() => window.walk.rest());
@@ -141,7 +141,7 @@ class Player {
     );
   }
 
-  #faults(rest: Rest, began: Began): string[] {
+  #faults(rest: Rest, began: Began) {
     const { seen, blob, pixels, stats, active, samples, camera } = rest;
     const faults: string[] = [];
     if (seen !== null) {
@@ -187,7 +187,7 @@ class Player {
     return faults;
   }
 
-  #difference(which: string, a: Drawn, b: Drawn, sameCamera = true): string[] {
+  #difference(which: string, a: Drawn, b: Drawn, sameCamera = true) {
     const difference = betweenPrograms(pictureOf(a), pictureOf(b));
     const { max, differing, channels } = difference;
     const same =

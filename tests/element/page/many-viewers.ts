@@ -128,7 +128,7 @@ export class Ledger {
    */
   async heap(): Promise<number> {
     let text = '';
-    const add = ({ chunk }: { readonly chunk: string }): void => {
+    const add = ({ chunk }: { readonly chunk: string }) => {
       text += chunk;
     };
     this.#session.on('HeapProfiler.addHeapSnapshotChunk', add);
@@ -146,7 +146,7 @@ export class Ledger {
     return bytes;
   }
 
-  async #instances(prototype: string): Promise<number> {
+  async #instances(prototype: string) {
     const objectGroup = 'ledger';
     const { result } = await this.#session.send('Runtime.evaluate', {
       expression: prototype,

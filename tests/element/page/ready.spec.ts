@@ -3,7 +3,6 @@
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { type PhongViewer } from '../support/viewer.js';
 
 const bunny = '/assets/models/bunny.glb';
 const css =
@@ -16,7 +15,7 @@ type Deed = '' | 'remove at once' | 'hide' | 'remove' | 'move' | 'clear';
 const readiness = (page: Page, attributes: Record<string, string>, deed: Deed) =>
   page.evaluate(
     async ({ attributes, deed }) => {
-      const viewer: PhongViewer = document.createElement('phong-viewer');
+      const viewer = document.createElement('phong-viewer');
       for (const [name, value] of Object.entries(attributes)) {
         viewer.setAttribute(name, value);
       }

@@ -102,7 +102,7 @@ test('the context opens with the first visible picture, at its size', async ({ p
     Object.assign(window, { resized: 0 });
     for (const side of ['width', 'height'] as const) {
       const { get, set } = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side)!;
-      const counted = function (this: HTMLCanvasElement, value: number): void {
+      const counted = function (this: HTMLCanvasElement, value: number) {
         if (opened.has(this)) {
           window.resized += 1;
         }

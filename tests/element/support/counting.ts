@@ -77,15 +77,11 @@ export async function expectIdle(page: Page, ms: number, what?: string): Promise
 }
 
 /** Runs in the page. */
-function wrapEverything(): void {
+function wrapEverything() {
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   const counts: Record<string, number> = {};
   const count = (key: string, by = 1): void => void (counts[key] = (counts[key] ?? 0) + by);
-  const wrap = (
-    owner: object,
-    name: string,
-    before: (given: unknown[], self: unknown) => void,
-  ): void => {
+  const wrap = (owner: object, name: string, before: (given: unknown[], self: unknown) => void) => {
     const real = Object.getOwnPropertyDescriptor(owner, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(owner, name, function (this: unknown, ...given: unknown[]) {
@@ -120,7 +116,7 @@ function wrapEverything(): void {
   wrap(CanvasRenderingContext2D.prototype, 'drawImage', () => count('copies'));
 
   const isOurs = () => new Error().stack?.includes('/dist/') === true;
-  const countLayout = (): void => {
+  const countLayout = () => {
     if (isOurs()) {
       count('layouts');
     }
@@ -158,7 +154,7 @@ function wrapEverything(): void {
       watched.set(self as object, present);
       return present;
     };
-    const change = (self: unknown, by: (targets: Set<unknown>) => void): void => {
+    const change = (self: unknown, by: (targets: Set<unknown>) => void) => {
       const targets = of(self);
       const before = targets.size > 0 ? 1 : 0;
       by(targets);
@@ -184,7 +180,7 @@ function wrapEverything(): void {
   };
   const isGlobal = (target: unknown) =>
     target === window || target === document || target instanceof MediaQueryList;
-  const listen = (target: object, type: unknown, listener: unknown, on: boolean): void => {
+  const listen = (target: object, type: unknown, listener: unknown, on: boolean) => {
     const present = heard.get(target) ?? new Set();
     heard.set(target, present);
     const key = `${String(type)} ${identityOf(listener as object)}`;

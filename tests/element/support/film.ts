@@ -45,7 +45,7 @@ export async function film(
         return Math.max(...codes) - Math.min(...codes) > 24;
       });
     };
-    const read = (): void => {
+    const read = () => {
       const canvas = element.shadowRoot!.querySelector('canvas');
       if (!running || canvas === null) return; // null: it was moved after the page was shown
       const { width, height } = canvas;
@@ -76,7 +76,7 @@ export async function film(
     // Once the page has been shown.
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = read;
-    const next = (): void => {
+    const next = () => {
       if (!running) return;
       port2.postMessage(null);
       requestAnimationFrame(next);

@@ -73,7 +73,7 @@ export const isLit = ({ fragment, vertex }: GlProgram): boolean =>
   /LightSums/.test(fragment + vertex);
 
 /** Runs in the page. */
-function wrapGl(limits: Limits): void {
+function wrapGl(limits: Limits) {
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   interface Linked extends GlProgram {
     live: boolean;
@@ -91,10 +91,7 @@ function wrapGl(limits: Limits): void {
     bufferBytes: 0,
   });
   let spent = none();
-  const wrap = (
-    name: string,
-    before: (given: unknown[], self: WebGL2RenderingContext) => void,
-  ): void => {
+  const wrap = (name: string, before: (given: unknown[], self: WebGL2RenderingContext) => void) => {
     const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
@@ -106,7 +103,7 @@ function wrapGl(limits: Limits): void {
     Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]),
   );
   const realParameter = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as Call;
-  gl.getParameter = function (this: unknown, name: number): unknown {
+  gl.getParameter = function (this: unknown, name: number) {
     return named.get(name) ?? Reflect.apply(realParameter, this, [name]);
   };
 
@@ -191,7 +188,7 @@ function wrapGl(limits: Limits): void {
     return /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text);
   }
 
-  function draw(self: WebGL2RenderingContext): void {
+  function draw(self: WebGL2RenderingContext) {
     spent.draws += 1;
     const one = linked.get(current.get(self) ?? {});
     if (one === undefined) return;

@@ -193,7 +193,7 @@ export class Fingers {
     type: 'touchStart' | 'touchMove' | 'touchEnd',
     places: readonly Place[],
     firstId = 0,
-  ): Promise<void> {
+  ) {
     const touchPoints = places.map(([x, y], i) => ({ x, y, id: firstId + i }));
     await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }

@@ -89,11 +89,11 @@ class View {
     this.#setMeshes(1);
   }
 
-  get canvas(): HTMLCanvasElement {
+  get canvas() {
     return this.#renderer.domElement;
   }
 
-  apply(step: Step): void {
+  apply(step: Step) {
     if (step.meshes !== undefined) {
       this.#setMeshes(step.meshes);
     }
@@ -132,7 +132,7 @@ class View {
     camera.updateProjectionMatrix();
   }
 
-  draw(): void {
+  draw() {
     this.#camera.updateMatrixWorld();
     this.#lighting.update(this.#camera, this.#target);
     this.#renderer.render(this.#scene, this.#camera);
@@ -152,7 +152,7 @@ class View {
     };
   }
 
-  async loseContext(): Promise<void> {
+  async loseContext() {
     const extension = this.#renderer.getContext().getExtension('WEBGL_lose_context');
     const next = (name: string) =>
       new Promise((resolve) => this.canvas.addEventListener(name, resolve, { once: true }));
@@ -165,13 +165,13 @@ class View {
     await restored;
   }
 
-  dispose(): void {
+  dispose() {
     this.#lighting.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
   }
 
-  #setMeshes(count: number): void {
+  #setMeshes(count: number) {
     this.#scene.remove(...this.#meshes);
     this.#meshes = Array.from({ length: count }, (_, i) => {
       const mesh = new Mesh<BufferGeometry>(SHAPES.box(), new PhongMaterial(this.#lighting));

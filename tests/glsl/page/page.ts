@@ -42,7 +42,7 @@ declare global {
   }
 }
 
-const show = (...lines: readonly string[]): void => {
+const show = (...lines: readonly string[]) => {
   document.getElementById('text')!.textContent = lines.join('\n');
 };
 
