@@ -3,15 +3,12 @@ import lightGrid from '../../shaders/light_grid.glsl?raw';
 import lightLoop from '../../shaders/light_loop.glsl?raw';
 import { LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
 import { LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
+import { hashOf } from '../support/hash.mjs';
 
-/** Eight hexadecimal digits (FNV-1a, 32 bits) of a GLSL text, its comments and spaces aside. */
+/** Eight hexadecimal digits of a GLSL text, its comments and spaces aside. */
 export function markOf(glsl: string): string {
   const text = glsl.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, '').replace(/\s+/g, ' ');
-  let hash = 0x811c9dc5;
-  for (let i = 0; i < text.length; i++) {
-    hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
-  }
-  return (hash >>> 0).toString(16).padStart(8, '0');
+  return hashOf(text).toString(16).padStart(8, '0');
 }
 
 /** The shipped loop, with what programs with a light grid add. */

@@ -1,6 +1,7 @@
 // Random numbers from a seed, in the shapes that adversarial cases need. Everything that goes to
 // the GPU as a float32 is rounded here, so that reference and shader are given the same input.
 import { add, cross, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
+import { hashOf } from '../support/hash.mjs';
 
 export class Random {
   readonly #next: () => number;
@@ -105,11 +106,4 @@ function sfc32(seed: number) {
 export const float32 = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]), Math.fround(v[2])];
 
 /** A seed for a part of a run: another for every part, the same in every run with this seed. */
-export function partSeed(seed: number, part: string): number {
-  let hash = seed >>> 0;
-  // FNV-1a (Fowler, Noll, Vo), which spreads short texts well enough to start a generator from.
-  for (let i = 0; i < part.length; i++) {
-    hash = Math.imul(hash ^ part.charCodeAt(i), 0x01000193) >>> 0;
-  }
-  return hash;
-}
+export const partSeed = (seed: number, part: string): number => hashOf(part, seed);
