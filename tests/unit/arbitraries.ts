@@ -7,6 +7,9 @@ import type { Vec3, Vec4 } from '../../src/phong/math/vector.js';
 
 export { lightWith as light } from '../stress/case.js';
 
+/** Doubles from `min` to `max`. */
+export const between = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+
 /** Doubles from `min` to `max`, the ends, 0, denormals and whole powers of ten among them. */
 export function numbers(min: number, max: number): fc.Arbitrary<number> {
   const inside = (n: number) => n >= min && n <= max;
@@ -29,7 +32,7 @@ export function numbers(min: number, max: number): fc.Arbitrary<number> {
   ];
   const usual = { min: Math.max(min, -1000), max: Math.min(max, 1000) };
   return fc.oneof(
-    { weight: 3, arbitrary: fc.double({ min, max, noNaN: true }) },
+    { weight: 3, arbitrary: between(min, max) },
     { weight: 3, arbitrary: fc.double({ ...usual, noNaN: true }) },
     {
       weight: 2,

@@ -29,6 +29,7 @@ import {
   type ViewRay,
 } from '../../../src/extras/explain/ray-triangles.js';
 import { answerOf } from './answer-of.js';
+import { between } from '../../unit/arbitraries.js';
 
 /** The ray at these slopes of a camera 3 from `target`; by default it looks along −z. */
 function rayAt(
@@ -71,8 +72,7 @@ const triangles = (values: readonly number[]) =>
  * Up to this size, 0 included. Numbers below roundings, but not 0, make triangles of lines: these
  * have no side or weights.
  */
-const upTo = (most: number) =>
-  fc.double({ min: -most, max: most, noNaN: true }).map((x) => (Math.abs(x) < 1e-12 ? 0 : x));
+const upTo = (most: number) => between(-most, most).map((x) => (Math.abs(x) < 1e-12 ? 0 : x));
 
 const coordinate = upTo(1);
 const slope = upTo(0.25);
@@ -81,7 +81,7 @@ const angle = upTo(180);
 describe('a ray through triangles', () => {
   it('hits one where its barycentric weights and the depth agree, from any side', () => {
     const corners = fc.array(coordinate, { minLength: 9, maxLength: 9 });
-    const phi = fc.double({ min: 1, max: 179, noNaN: true });
+    const phi = between(1, 179);
     fc.assert(
       fc.property(corners, slope, slope, angle, phi, (at, x, y, theta, phi) => {
         const ray = rayAt(x, y, { theta, phi });
@@ -106,7 +106,7 @@ describe('a ray through triangles', () => {
   });
 
   it('hits the point that it is aimed at, on the side that the winding gives', () => {
-    const weight = fc.double({ min: 0.01, max: 1, noNaN: true });
+    const weight = between(0.01, 1);
     fc.assert(
       fc.property(weight, weight, weight, fc.boolean(), (a, b, c, turned) => {
         const geometry = triangles(

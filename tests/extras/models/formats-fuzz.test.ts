@@ -6,6 +6,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { ModelError, type Content } from '../../../src/phong/model/model.js';
 import { fullOr, SEED } from '../../support/repeats.js';
 import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
+import { between } from '../../unit/arbitraries.js';
 
 const RUNS = fullOr(20_000, 200);
 
@@ -115,7 +116,7 @@ type Change = readonly [kind: 'set' | 'cut' | 'double' | 'swap', at: number, val
 
 const change: fc.Arbitrary<Change> = fc.tuple(
   fc.constantFrom('set', 'cut', 'double', 'swap'),
-  fc.double({ min: 0, max: 1, noNaN: true }),
+  between(0, 1),
   fc.oneof(fc.constantFrom(0, 10, 13, 32, 45, 46, 47, 48, 57, 92, 101, 127, 128, 255), fc.nat(255)),
 );
 

@@ -14,6 +14,7 @@ import {
 } from '../../../src/phong/math/vector.js';
 import { addTangents } from '../../../src/extras/models/gltf/computed-vectors.js';
 import { Slices } from '../../../src/extras/models/slices.js';
+import { between } from '../../unit/arbitraries.js';
 
 interface Frame {
   readonly T: Vec3;
@@ -33,10 +34,7 @@ async function framesOf(geometry: BufferGeometry): Promise<readonly Frame[]> {
 }
 
 const unit = fc
-  .tuple(
-    fc.double({ min: 0, max: 6.28, noNaN: true }),
-    fc.double({ min: -0.99, max: 0.99, noNaN: true }),
-  )
+  .tuple(between(0, 6.28), between(-0.99, 0.99))
   .map(([angle, z]) => normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]));
 
 const CORNERS = [[0, 0], [1, 0], [0, 1], [1, 1]] as const; // oxfmt-ignore

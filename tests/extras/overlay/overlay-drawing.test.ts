@@ -7,6 +7,7 @@ import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { coreColor, luminance } from '../../../src/extras/overlay/drawing/display-list.js';
 import { listOf, NO_DRAWING } from '../../../src/extras/overlay/drawing/label-layout.js';
 import { Projection } from '../../../src/extras/overlay/drawing/projection.js';
+import { between, triple } from '../../unit/arbitraries.js';
 
 const sight = {
   pose: { theta: 0, phi: 90, radius: 4, target: [0, 0, 0] },
@@ -17,28 +18,23 @@ const sight = {
 
 describe('a projection', () => {
   it('is inverted by the point at a place and a depth', () => {
-    const angle = fc.double({ min: -180, max: 180, noNaN: true });
-    const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
+    const angle = between(-180, 180);
+    const coordinate = between(-1, 1);
     fc.assert(
-      fc.property(
-        angle,
-        angle,
-        fc.tuple(coordinate, coordinate, coordinate),
-        (theta, phi, place) => {
-          const pose = { ...sight.pose, theta, phi: Math.abs(phi) };
-          const projection = new Projection({ ...sight, pose });
-          const again = projection.placeAt(projection.point(place)!, projection.depthOf(place));
-          for (const i of [0, 1, 2] as const) {
-            expect(again[i]).toBeCloseTo(place[i], 10);
-          }
-        },
-      ),
+      fc.property(angle, angle, triple(coordinate), (theta, phi, place) => {
+        const pose = { ...sight.pose, theta, phi: Math.abs(phi) };
+        const projection = new Projection({ ...sight, pose });
+        const again = projection.placeAt(projection.point(place)!, projection.depthOf(place));
+        for (const i of [0, 1, 2] as const) {
+          expect(again[i]).toBeCloseTo(place[i], 10);
+        }
+      }),
     );
   });
 
   it('keeps the ends of lines finite and near the layer for all coordinates', () => {
-    const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
-    const place = fc.tuple(coordinate, coordinate, coordinate);
+    const coordinate = between(-1e15, 1e15);
+    const place = triple(coordinate);
     const projection = new Projection(sight);
     fc.assert(
       fc.property(place, place, (a, b) => {
@@ -77,10 +73,10 @@ it('labels stay inside and never overlap, however many points there are', () => 
 const contrast = (a: number, b: number) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
 it('of a core and its black outline, one has a contrast of 3:1 with any background, for a light of any colour', () => {
-  const channel = fc.double({ min: 0, max: 4, noNaN: true });
-  const color: fc.Arbitrary<Vec3> = fc.tuple(channel, channel, channel);
+  const channel = between(0, 4);
+  const color: fc.Arbitrary<Vec3> = triple(channel);
   fc.assert(
-    fc.property(color, fc.double({ min: 0, max: 1, noNaN: true }), (own, behind) => {
+    fc.property(color, between(0, 1), (own, behind) => {
       const core = luminance(coreColor(own));
       expect(Math.max(contrast(core, behind), contrast(0, behind))).toBeGreaterThanOrEqual(2.999);
     }),

@@ -11,6 +11,7 @@ import {
   type HandlePart,
 } from '../../../src/extras/overlay/helpers/light-marks.js';
 import { moved, type Anchor } from '../../../src/extras/overlay/helpers/light-move.js';
+import { between, triple } from '../../unit/arbitraries.js';
 
 const scene = { center: [0, 0, 0], radius: 1 } as const;
 const sight = {
@@ -32,9 +33,9 @@ function anchorOf(light: LightValues, view: Projection, part: HandlePart = 'plac
   };
 }
 
-const angle = fc.double({ min: -180, max: 180, noNaN: true });
+const angle = between(-180, 180);
 const pixel = fc.integer({ min: -300, max: 300 });
-const coordinate = fc.double({ min: -3, max: 3, noNaN: true });
+const coordinate = between(-3, 3);
 const anywhere = fc.oneof(coordinate, fc.constantFrom(0, 4, -4, 1e15, -1e15, 1e-300));
 const view = fc
   .tuple(angle, angle)
@@ -47,7 +48,7 @@ const lengthOf = (v: readonly number[]) => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 describe('a light that is moved', () => {
   it('stays under the pointer at its depth, in both spaces and every view', () => {
-    const place = fc.tuple(coordinate, coordinate, coordinate);
+    const place = triple(coordinate);
     const space = fc.constantFrom('camera', 'world');
     fc.assert(
       fc.property(view, place, space, pixel, pixel, (from, [x, y, z], space, dx, dy) => {
@@ -68,7 +69,7 @@ describe('a light that is moved', () => {
   });
 
   it('keeps the length of a directional vector and of an axis, and changes nothing else', () => {
-    const vector = fc.tuple(coordinate, coordinate, coordinate).filter((v) => lengthOf(v) > 0.01);
+    const vector = triple(coordinate).filter((v) => lengthOf(v) > 0.01);
     fc.assert(
       fc.property(view, vector, move, (from, v, by) => {
         const turned = moved(anchorOf(values({ position: [...v, 0] }), from), from, by);

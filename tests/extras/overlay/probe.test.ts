@@ -18,7 +18,7 @@ import {
   tripleText,
 } from '../../../src/extras/overlay/probe/sum.js';
 import { cellText, termsOf } from '../../../src/extras/overlay/probe/sum-table.js';
-import { triple } from '../../unit/arbitraries.js';
+import { between, triple } from '../../unit/arbitraries.js';
 import { explained } from '../../unit/explained.js';
 
 // Labels are measured by a canvas where there is one.
@@ -255,11 +255,8 @@ describe('the words', () => {
   });
 
   it('are true of the numbers as they are written, for every angle and exponent', () => {
-    const unit = fc.double({ min: -1, max: 1, noNaN: true });
-    const exponent = fc.oneof(
-      fc.double({ min: 0, max: 200, noNaN: true }),
-      fc.constantFrom(1e-6, 0.01, 1e4, 1e6),
-    );
+    const unit = between(-1, 1);
+    const exponent = fc.oneof(between(0, 200), fc.constantFrom(1e-6, 0.01, 1e4, 1e6));
     const number = (text: string) => Number(text.replace('−', '-'));
     fc.assert(
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {

@@ -13,9 +13,9 @@ import {
   type LightValues,
 } from '../../../src/phong/light/light-state.js';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
-import { triple } from '../../unit/arbitraries.js';
+import { between, triple } from '../../unit/arbitraries.js';
 
-const place = triple(fc.double({ min: -1e15, max: 1e15, noNaN: true }));
+const place = triple(between(-1e15, 1e15));
 const someValues: fc.Arbitrary<Partial<LightValues>> = fc.record(
   {
     position: fc.tuple(place, fc.constantFrom(0, 1)).map(([xyz, w]) => [...xyz, w] as const),
@@ -73,9 +73,9 @@ describe('KindChange', () => {
   });
 });
 
-const bright = triple(fc.double({ min: 0, max: 1e6, noNaN: true }).map((n) => (n < 1e-6 ? 0 : n)));
+const bright = triple(between(0, 1e6).map((n) => (n < 1e-6 ? 0 : n)));
 const picked = triple(fc.integer({ min: 0, max: 255 }));
-const brightness = fc.double({ min: 0.01, max: 100, noNaN: true });
+const brightness = between(0.01, 100);
 
 it('takes a picked colour for a value up to 255, and the value for the colour', () => {
   fc.assert(

@@ -4,8 +4,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { linear, logarithmic, numberText } from '../../../src/extras/panel/travel.js';
 import { niceCeil } from '../../../src/phong/math/round-number.js';
+import { between } from '../../unit/arbitraries.js';
 
-const positive = fc.double({ min: 1e-12, max: 1e15, noNaN: true });
+const positive = between(1e-12, 1e15);
 
 it('rounds up to 1, 2 or 5 times a power of ten, at most 2.5 times as large', () => {
   fc.assert(
@@ -28,7 +29,7 @@ describe.each([
 ])('a %s travel', (_name, travel) => {
   it('converts between place and value within a step', () => {
     fc.assert(
-      fc.property(fc.double({ min: travel.start, max: travel.end, noNaN: true }), (place) => {
+      fc.property(between(travel.start, travel.end), (place) => {
         expect(Math.abs(travel.place(travel.value(place)) - place)).toBeLessThanOrEqual(
           travel.step,
         );

@@ -18,6 +18,7 @@ import {
 } from '../../../src/phong/fields/field.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
 import { MESH_FIELDS } from '../../../src/phong/model/mesh-fields.js';
+import { between, triple } from '../arbitraries.js';
 
 const number = numberField(7, { min: -10, max: 10 });
 const vector = vectorField([0, 0, 0], { min: -10, max: 10 });
@@ -111,13 +112,13 @@ function valuesOf(field: Field<unknown>) {
   const words = field.expected.replace(/^(one|any) of /, '').split(', ');
   const n = fc.oneof(
     fc.double({ noNaN: true, noDefaultInfinity: true }),
-    fc.double({ min: 0, max: 1, noNaN: true }),
+    between(0, 1),
     fc.integer({ min: -512, max: 512 }),
   );
   const shape = {
     number: n,
-    numbers: fc.oneof(fc.tuple(n, n, n), fc.tuple(n, n, n, fc.constantFrom(0, 1))),
-    color: fc.tuple(n, n, n),
+    numbers: fc.oneof(triple(n), fc.tuple(n, n, n, fc.constantFrom(0, 1))),
+    color: triple(n),
     boolean: fc.boolean(),
     presence: fc.boolean(),
     text: fc.string({ unit: 'grapheme' }),

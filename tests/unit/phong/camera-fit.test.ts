@@ -11,11 +11,12 @@ import {
 } from '../../../src/phong/camera/fit.js';
 import { basisOf, type Pose } from '../../../src/phong/camera/orbit.js';
 import { dot } from '../../../src/phong/math/vector.js';
+import { between, triple } from '../arbitraries.js';
 
-const fov = fc.double({ min: 1, max: 170, noNaN: true });
-const aspect = fc.double({ min: 0.05, max: 20, noNaN: true });
+const fov = between(1, 170);
+const aspect = between(0.05, 20);
 /** Scene scales from a bacterium in metres to beyond the solar system. */
-const scale = fc.double({ min: -12, max: 15, noNaN: true }).map((power) => 10 ** power);
+const scale = between(-12, 15).map((power) => 10 ** power);
 
 describe('the auto radius', () => {
   it('is 1.05 R / sin(half the field), of the horizontal field on a narrow picture', () => {
@@ -64,15 +65,15 @@ it('limits the zoom to 1e-3 to 1e3 times the radius of the scene, or times 1 for
 });
 
 describe('near and far', () => {
-  const unit = fc.double({ min: -1, max: 1, noNaN: true });
+  const unit = between(-1, 1);
   /** A sphere about the origin, and the distances of its front and back from the eye. */
   const scenes = fc
     .record({
       size: scale,
-      distance: fc.double({ min: -3, max: 3, noNaN: true }).map((power) => 10 ** power),
-      theta: fc.double({ min: -180, max: 180, noNaN: true }),
-      phi: fc.double({ min: 0, max: 180, noNaN: true }),
-      aside: fc.tuple(unit, unit, unit),
+      distance: between(-3, 3).map((power) => 10 ** power),
+      theta: between(-180, 180),
+      phi: between(0, 180),
+      aside: triple(unit),
     })
     .map(({ size, distance, theta, phi, aside: [x, y, z] }) => {
       const pose: Pose = {
@@ -108,11 +109,11 @@ describe('near and far', () => {
 
   it('are finite, above 0, in order, and normal float32 numbers, for any input', () => {
     const any = fc.double();
-    const anyBounds = fc.option(fc.record({ center: fc.tuple(any, any, any), radius: any }), {
+    const anyBounds = fc.option(fc.record({ center: triple(any), radius: any }), {
       nil: null,
     });
-    const anyRadius = fc.double({ min: Number.MIN_VALUE, max: 1e15, noNaN: true });
-    const anyPhi = fc.double({ min: 0, max: 180, noNaN: true });
+    const anyRadius = between(Number.MIN_VALUE, 1e15);
+    const anyPhi = between(0, 180);
     fc.assert(
       fc.property(anyBounds, anyRadius, anyPhi, (bounds, radius, phi) => {
         const { near, far } = depthRange({ theta: 10, phi, radius, target: [1, 2, 3] }, bounds);

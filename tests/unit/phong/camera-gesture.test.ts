@@ -16,19 +16,20 @@ import {
 import { type PictureAxes, PointerGesture } from '../../../src/phong/camera/gesture.js';
 import { basisOf, Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
 import { type Vec3, dot, subtract } from '../../../src/phong/math/vector.js';
+import { between, triple } from '../arbitraries.js';
 
 const view = { width: 600, height: 400, fov: 45 };
 const limits = { min: 1e-3, max: 1e3 };
 const start: Pose = { theta: 30, phi: 70, radius: 4, target: [0, 0, 0] };
 
-const length = fc.double({ min: -1e3, max: 1e3, noNaN: true });
+const length = between(-1e3, 1e3);
 const anyPose = fc.record({
-  theta: fc.double({ min: -1e4, max: 1e4, noNaN: true }),
-  phi: fc.double({ min: 0, max: 180, noNaN: true }),
-  radius: fc.double({ min: 1e-3, max: 1e3, noNaN: true }),
-  target: fc.tuple(length, length, length),
+  theta: between(-1e4, 1e4),
+  phi: between(0, 180),
+  radius: between(1e-3, 1e3),
+  target: triple(length),
 });
-const travel = fc.double({ min: -2000, max: 2000, noNaN: true });
+const travel = between(-2000, 2000);
 
 describe('turning', () => {
   it.each([
@@ -159,7 +160,7 @@ it('gives a pose that an orbit accepts, for any input', () => {
   const anyView = fc.record({
     width: any,
     height: any,
-    fov: fc.double({ min: 1, max: 170, noNaN: true }),
+    fov: between(1, 170),
   });
   const anyLimits = fc.record({ min: any, max: any });
   fc.assert(
@@ -270,7 +271,7 @@ describe('a drag', () => {
 });
 
 describe('a picture that is rotated, skewed or mirrored', () => {
-  const axis = fc.double({ min: -2, max: 2, noNaN: true });
+  const axis = between(-2, 2);
   const anyAxes = fc
     .tuple(axis, axis, axis, axis)
     .filter(([a, b, c, d]) => Math.abs(a * d - b * c) > 0.01);

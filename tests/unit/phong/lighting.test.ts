@@ -7,7 +7,7 @@ import { expect, it } from 'vitest';
 import { LightSet } from '../../../src/phong/light/light-set.js';
 import { LightState } from '../../../src/phong/light/light-state.js';
 import { PhongLighting, type ShadingFrame } from '../../../src/phong/core.js';
-import { anyLight } from '../arbitraries.js';
+import { anyLight, between, triple } from '../arbitraries.js';
 
 const SEED = 1;
 
@@ -39,9 +39,9 @@ function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
   };
 }
 
-const coordinate = fc.double({ min: -9, max: 9, noNaN: true });
+const coordinate = between(-9, 9);
 const place = fc.oneof(
-  { weight: 2, arbitrary: fc.tuple(coordinate, coordinate, coordinate) },
+  { weight: 2, arbitrary: triple(coordinate) },
   fc.constant<[number, number, number]>([0, 0, 0]),
 );
 

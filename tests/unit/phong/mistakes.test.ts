@@ -6,14 +6,12 @@ import { scale, type Vec3 } from '../../../src/phong/math/vector.js';
 import { both, formsOf, MISTAKE_IDS, MISTAKES } from '../../../src/phong/mistakes/mistakes.js';
 import { evaluate, type Given } from '../../../src/phong/mistakes/steps.js';
 import { shade } from '../../../src/phong/reference/equation.js';
-import { worldLight } from '../arbitraries.js';
+import { between, triple, worldLight } from '../arbitraries.js';
 
 const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 
-const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
-const vector = (size: number): fc.Arbitrary<Vec3> =>
-  fc.tuple(number(-size, size), number(-size, size), number(-size, size));
-const color = fc.tuple(number(0, 1), number(0, 1), number(0, 1));
+const vector = (size: number) => triple(between(-size, size));
+const color = triple(between(0, 1));
 
 const given: fc.Arbitrary<Given> = fc.record({
   light: fc.tuple(worldLight, fc.boolean()).map(([one, isSpot]) => ({
@@ -26,7 +24,7 @@ const given: fc.Arbitrary<Given> = fc.record({
     // exponent below 1 would bring the loss back.
     cutoff: Math.ceil(one.cutoff),
   })),
-  material: fc.record({ ka: color, kd: color, ks: color, shininess: number(1, 256) }),
+  material: fc.record({ ka: color, kd: color, ks: color, shininess: between(1, 256) }),
   p: vector(2),
   normal: vector(1),
   eye: vector(6),
