@@ -93,12 +93,9 @@ describe('an extra', () => {
     expect(brokenImports(withDependents(name))).toEqual([]);
   });
 
-  // Of all files, and of all extras: tests/release/extras.test.ts.
-  it.each(['panel', 'explain'])(
-    'the table of extras compiles without %s',
-    { timeout: 120_000 },
-    (name) => {
-      expect(typeErrors(withDependents(name), TABLE)).toEqual([]);
-    },
-  );
+  // Of all files, and of each extra alone: tests/release/extras.test.ts.
+  it('and another one can be left out of the table, which compiles', { timeout: 120_000 }, () => {
+    const gone = new Set([...withDependents('panel'), ...withDependents('explain')]);
+    expect(typeErrors(gone, TABLE)).toEqual([]);
+  });
 });
