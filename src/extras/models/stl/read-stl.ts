@@ -229,8 +229,11 @@ class StlTextReader {
     const scanner = this.#scanner;
     if (!scanner.nextWord()) return false;
     // The others are skipped unread: `normal` and its numbers, `outer`, `loop`.
-    const isKeyword = KEYWORD_STARTS.includes(scanner.peek() | 32);
-    switch (scanner.word(isKeyword ? 16 : 0).toLowerCase()) {
+    if (!KEYWORD_STARTS.includes(scanner.peek() | 32)) {
+      scanner.skipWord();
+      return true;
+    }
+    switch (scanner.word().toLowerCase()) {
       case 'solid':
         this.#endFacet();
         this.#endSolid();

@@ -23,9 +23,6 @@ const NUMBER_LENGTH = 400;
 /** Longest line, word or gap in bytes, 4 MiB: each is skipped in one task. */
 const LONGEST = 2 ** 22;
 
-/** Bytes of a word that is not worth a call of the decoder, which takes as long as ten numbers. */
-const SHORT = 32;
-
 export class TextScanner {
   readonly #bytes: Uint8Array;
   /** Position of the next byte. */
@@ -94,12 +91,12 @@ export class TextScanner {
     return this.atLineEnd() ? NOTHING : (this.#bytes[this.at] ?? NOTHING);
   }
 
-  /** The next word of this line; empty at its end. Words longer than `most` bytes are cut. */
-  word(most = 256): string {
+  /** The next word of this line; empty at its end. Longer words are cut after 256 bytes. */
+  word(): string {
     if (this.atLineEnd()) return '';
     const start = this.at;
-    this.#skipToken();
-    return this.#latin1From(start, most);
+    this.skipWord();
+    return this.#latin1From(start, 256);
   }
 
   /** The likeliest of {@link readings}. */
@@ -153,7 +150,8 @@ export class TextScanner {
       let power = 0;
       let at = i + (sign === 45 || sign === 43 ? 2 : 1);
       const first = at;
-      for (digit = digitOf(bytes[at]); digit >= 0 && at < first + 4; digit = digitOf(bytes[++at])) {
+      const last = first + NUMBER_LENGTH;
+      for (digit = digitOf(bytes[at]); digit >= 0 && at < last; digit = digitOf(bytes[++at])) {
         power = power * 10 + digit;
       }
       if (at > first) {
@@ -161,10 +159,11 @@ export class TextScanner {
         i = at;
       }
     }
+    if (seen === 0 || i - start > NUMBER_LENGTH || !this.#endsNumber(i)) return this.#noNumber();
+    this.at = i;
     // Whole numbers up to 2^53 are exact, and a larger one is not rounded below that.
     const isExact = mantissa <= Number.MAX_SAFE_INTEGER && Math.abs(exponent) <= 22;
-    if (seen === 0 || !isExact || !this.#endsNumber(i)) return this.#slowNumber();
-    this.at = i;
+    if (!isExact) return Number(this.#latin1From(start, NUMBER_LENGTH));
     const scale = POWERS[Math.abs(exponent)] ?? NaN;
     const size = exponent < 0 ? mantissa / scale : mantissa * scale;
     return sign === 45 ? -size : size;
@@ -194,7 +193,7 @@ export class TextScanner {
     while (start > least && !isBreak(this.#bytes[start - 1])) {
       start -= 1;
     }
-    this.#skipToken();
+    this.skipWord();
     return this.#quoted(start);
   }
 
@@ -256,30 +255,25 @@ export class TextScanner {
 
   /** From `start` to the next byte, a character for each byte. */
   #latin1From(start: number, most: number): string {
-    const end = Math.min(this.at, start + most);
-    if (end - start > SHORT) return latin1.decode(this.#bytes.subarray(start, end));
-    let text = '';
-    for (let i = start; i < end; i += 1) {
-      text += String.fromCharCode(this.#bytes[i]!);
-    }
-    return text;
+    const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
+    // A decoder or a sum of letters takes longer, and so does a spread: three times.
+    return Reflect.apply(String.fromCharCode, null, bytes) as string;
   }
 
-  #slowNumber(): number {
+  /** Skips a word that is no number, up to a comment. */
+  #noNumber(): number {
+    const bytes = this.#bytes;
     const start = this.at;
-    this.#skipToken();
-    if (this.at - start > NUMBER_LENGTH) return NaN;
-    let text = this.#latin1From(start, NUMBER_LENGTH);
-    const comment = this.#comment === HASH ? text.indexOf('#') : NOTHING;
-    if (comment > 0) {
+    this.skipWord();
+    const comment = bytes.subarray(start, Math.min(this.at, start + NUMBER_LENGTH)).indexOf(HASH);
+    if (this.#comment === HASH && comment > 0) {
       this.at = start + comment;
-      text = text.slice(0, comment);
     }
-    // `Number` also reads 0x10, Infinity and more.
-    return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
+    return NaN;
   }
 
-  #skipToken(): void {
+  /** Goes to the end of the word that begins at the next byte, if there is one. */
+  skipWord(): void {
     const bytes = this.#bytes;
     const end = this.#farthest;
     while (this.at < end && !isBreak(bytes[this.at])) {
