@@ -9,7 +9,6 @@ import {
   FULL,
   fullOf,
   type Growing,
-  NONE,
   NOT_THERE,
   pushColor,
   toFractions,
@@ -103,8 +102,6 @@ class PlyRows {
   readonly #polygons: Polygons;
   readonly #ofVertices: Colors;
   readonly #ofFaces: Colors;
-  /** The largest number of a vertex that a face refers to. */
-  #highestVertex = -1;
   /** Position and steps that were counted as work. */
   #at = 0;
   #steps = 0;
@@ -213,12 +210,11 @@ class PlyRows {
     for (const { list, unit } of [this.#ofVertices, this.#ofFaces]) {
       await toFractions(list, this.#slices, unit);
     }
-    const { count } = this.#lists.places;
-    const highest = this.#highestVertex;
-    if (highest >= count) {
+    const { highestVertex, places } = this.#lists;
+    if (highestVertex >= places.count) {
       this.#leftOut.because(
         'face',
-        () => `a face refers to vertex ${String(highest)} of ${String(count)}`,
+        () => `a face refers to vertex ${String(highestVertex)} of ${String(places.count)}`,
       );
     }
     return this.#lists;
@@ -269,7 +265,7 @@ class PlyRows {
     const polygons = this.#polygons;
     return {
       list: /^vert(ex|ices)?_?ind(ices|ex)$/i,
-      begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : NONE),
+      begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : 0),
       item: (value) => polygons.add(this.#vertexOf(value)),
       endList: () => polygons.end(),
       ...(withColors && { end: () => colors.push(row) }),
@@ -308,7 +304,6 @@ class PlyRows {
   /** The vertex with this number, which may come later. */
   #vertexOf(value: number): number {
     if (Number.isInteger(value) && value >= 0 && value < LIMITS.corners) {
-      this.#highestVertex = Math.max(this.#highestVertex, value);
       return value;
     }
     this.#leftOut.because('face', () => `a face refers to the vertex ${String(value)}`);

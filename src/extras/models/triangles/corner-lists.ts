@@ -47,8 +47,10 @@ export class CornerLists {
    * above 0.
    */
   readonly groups = new Growing(Int32Array, 0, 3);
-  /** Number of each triangle's colour among those of faces, or {@link NONE}. */
+  /** Number of each triangle's colour among those of faces. Shorter if the last ones are white, 0. */
   readonly triangleColors: Growing<Int32Array>;
+  /** The largest number of a position that a corner has. */
+  highestVertex = -1;
   /** 1 for a triangle of the same face as the one before it. */
   readonly joined: Growing<Uint8Array>;
 
@@ -74,6 +76,11 @@ export class CornerLists {
     free(this.places.array);
   }
 
+  /** Whether the vertices of all corners are there, and their coordinates numbers. */
+  get areAllThere(): boolean {
+    return this.places.areSound && this.highestVertex < this.places.count;
+  }
+
   get triangles(): number {
     return this.corners.length / 3;
   }
@@ -87,6 +94,7 @@ export class CornerLists {
   pushCorner(position: number, uv = NONE, normal = NONE): void {
     const corner = this.corners.length;
     this.corners.push(position);
+    this.highestVertex = Math.max(this.highestVertex, position);
     setItem(this.cornerUvs, corner, uv);
     setItem(this.cornerNormals, corner, normal);
   }
@@ -124,6 +132,8 @@ const FAR_OUT = 1024;
 export class Positions {
   readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
+  /** Whether {@link push} has refused no vertex. */
+  areSound = true;
 
   constructor(vertices = 0) {
     this.#values = new Growing(Float32Array, 3 * vertices);
@@ -153,6 +163,7 @@ export class Positions {
     if (sound) {
       this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
     }
+    this.areSound &&= sound;
     const values = this.#values;
     const [x0, y0, z0] = sound ? (this.#origin ?? NOWHERE) : NOWHERE;
     values.push(x - x0);

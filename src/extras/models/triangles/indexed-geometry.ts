@@ -3,7 +3,7 @@
 import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
-import { itemAt, NONE, NOT_THERE, type CornerLists } from './corner-lists.js';
+import { NONE, NOT_THERE, type CornerLists } from './corner-lists.js';
 import { free } from '../limits.js';
 
 /** Corners from `start` on, up to before `end`. */
@@ -31,6 +31,9 @@ export class IndexedGeometries {
     this.#budget = budget;
     this.#slices = slices;
     this.#byFace = lists.faceColors.length > 0;
+    if (this.#byFace) {
+      lists.triangleColors.fillTo(lists.triangles, 0);
+    }
     this.#latest = new Uint32Array(lists.places.count);
   }
 
@@ -41,6 +44,18 @@ export class IndexedGeometries {
     const count = ranges.reduce((sum, { start, end }) => sum + end - start, 0);
     this.#budget.add({ parts: 1, corners: count, values: count });
     const corners = lists.corners.array;
+    if (withUvs) {
+      lists.cornerUvs.fillTo(lists.corners.length, NONE);
+    }
+    const normals = lists.cornerNormals.array;
+    const uvs = withUvs ? lists.cornerUvs.array : null;
+    const triangleColors = this.#byFace ? lists.triangleColors.array : null;
+    const faceColor = (corner: number) => triangleColors?.[Math.floor(corner / 3)];
+    /** Whether two corners at one position are one vertex. */
+    const agree = (a: number, b: number) =>
+      normals[a] === normals[b] && uvs?.[a] === uvs?.[b] && faceColor(a) === faceColor(b);
+    const latestAt = this.#latest;
+    const before = this.#before;
     const index = new Uint32Array(count);
     /** A corner of each vertex: where its numbers are. */
     const firsts = new Uint32Array(count);
@@ -53,16 +68,16 @@ export class IndexedGeometries {
         for (let corner = start + from; corner < start + to; corner += 1) {
           const position = corners[corner]!;
           if (position === NOT_THERE) continue;
-          const latest = this.#latest[position]!;
-          let vertex = latest - this.#before - 1;
-          for (let i = 0; vertex >= 0 && !this.#agree(firsts[vertex]!, corner, withUvs); i += 1) {
-            vertex = i < MOST_COMPARED ? chain[vertex]! - this.#before - 1 : NONE;
+          const latest = latestAt[position]!;
+          let vertex = latest - before - 1;
+          for (let i = 0; vertex >= 0 && !agree(firsts[vertex]!, corner); i += 1) {
+            vertex = i < MOST_COMPARED ? chain[vertex]! - before - 1 : NONE;
           }
           if (vertex < 0) {
             vertex = length++;
             firsts[vertex] = corner;
             chain[vertex] = latest;
-            this.#latest[position] = this.#before + length;
+            latestAt[position] = before + length;
           }
           index[next++] = vertex;
         }
@@ -77,61 +92,35 @@ export class IndexedGeometries {
     const set = async (
       name: string,
       { array }: { readonly array: Float32Array },
-      numberOf: (corner: number) => number,
-      size: number,
+      numbers: Int32Array | Uint32Array,
+      size = 3,
+      cornersEach = 1,
     ): Promise<void> => {
-      geometry.setAttribute(
-        name,
-        await gathered(array, firsts.subarray(0, length), numberOf, size, slices),
-      );
+      const values = new Float32Array(length * size);
+      await slices.over(length, (from, to) => {
+        for (let vertex = from; vertex < to; vertex += 1) {
+          const number = numbers[Math.floor(firsts[vertex]! / cornersEach)]!;
+          if (number === NONE) continue;
+          for (let c = 0; c < size; c += 1) {
+            values[vertex * size + c] = array[number * size + c]!;
+          }
+        }
+      });
+      geometry.setAttribute(name, new BufferAttribute(values, size));
     };
-    const positionOf = (corner: number) => corners[corner]!;
-    await set('position', lists.places, positionOf, 3);
-    await set('normal', lists.normals, (corner) => itemAt(lists.cornerNormals, corner), 3);
-    if (withUvs) {
-      await set('uv', lists.uvs, (corner) => itemAt(lists.cornerUvs, corner), 2);
+    await set('position', lists.places, corners);
+    await set('normal', lists.normals, normals);
+    if (uvs) {
+      await set('uv', lists.uvs, uvs, 2);
     }
-    if (colored) {
-      await set('color', colors, this.#byFace ? this.#faceColorOf : positionOf, 3);
+    if (triangleColors) {
+      await set('color', colors, triangleColors, 3, 3);
+    } else if (colored) {
+      await set('color', colors, corners);
     }
     const used = index.subarray(0, next);
     geometry.setIndex(new BufferAttribute(length > 0xffff ? used : new Uint16Array(used), 1));
     free(firsts, chain);
     return geometry;
   }
-
-  /** Whether two corners at one position are one vertex. */
-  #agree(a: number, b: number, withUvs: boolean): boolean {
-    const { cornerNormals, cornerUvs } = this.#lists;
-    return (
-      itemAt(cornerNormals, a) === itemAt(cornerNormals, b) &&
-      (!withUvs || itemAt(cornerUvs, a) === itemAt(cornerUvs, b)) &&
-      (!this.#byFace || this.#faceColorOf(a) === this.#faceColorOf(b))
-    );
-  }
-
-  /** The first colour is that of faces without one. */
-  readonly #faceColorOf = (corner: number): number =>
-    Math.max(itemAt(this.#lists.triangleColors, Math.floor(corner / 3)), 0);
-}
-
-/** Items of `source` by the numbers of these corners; zeros for {@link NONE}. */
-async function gathered(
-  source: Float32Array,
-  corners: Uint32Array,
-  numberOf: (corner: number) => number,
-  size: number,
-  slices: Slices,
-): Promise<BufferAttribute> {
-  const values = new Float32Array(corners.length * size);
-  await slices.over(corners.length, (start, end) => {
-    for (let i = start; i < end; i += 1) {
-      const from = numberOf(corners[i]!) * size;
-      if (from < 0) continue;
-      for (let c = 0; c < size; c += 1) {
-        values[i * size + c] = source[from + c]!;
-      }
-    }
-  });
-  return new BufferAttribute(values, size);
 }

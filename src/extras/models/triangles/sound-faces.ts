@@ -19,6 +19,7 @@ export async function keepSoundFaces(
 ): Promise<void> {
   const { corners, cornerNormals, cornerUvs, joined, triangles } = lists;
   const refers = cornerUvs.length + cornerNormals.length > 0;
+  if (!refers && lists.areAllThere) return;
   /** What the face refers to although it is not there. */
   const misses = { uv: 0, normal: 0 };
   for (let first = 0; first < triangles;) {

@@ -34,14 +34,14 @@ export class Polygons {
   /** Steps of cutting ears so far. */
   steps = 0;
   #group = UNSTATED;
-  #color = NONE;
+  #color = 0;
 
   constructor(lists: CornerLists) {
     this.#lists = lists;
   }
 
   /** @param color number of its colour among those of faces. */
-  begin(group = UNSTATED, color = NONE): void {
+  begin(group = UNSTATED, color = 0): void {
     this.#count = 0;
     this.#isFan = this.#begun = false;
     this.#group = group;
@@ -86,8 +86,9 @@ export class Polygons {
     if (this.#group !== UNSTATED) {
       setItem(lists.groups, lists.triangles, this.#group);
     }
-    if (this.#color !== NONE) {
-      setItem(lists.triangleColors, lists.triangles, this.#color);
+    if (this.#color > 0) {
+      lists.triangleColors.fillTo(lists.triangles, 0);
+      lists.triangleColors.push(this.#color);
     }
     lists.beginTriangle(this.#begun);
     this.#begun = true;
