@@ -2,6 +2,7 @@
 // HTML's units. Knows only what a light's values may be, never how they are used.
 
 import fc from 'fast-check';
+import { Quaternion, Vector3 } from 'three';
 import { type LightValues, LIMITS } from '../../src/phong/light/light-state.js';
 import type { Vec3, Vec4 } from '../../src/phong/math/vector.js';
 
@@ -102,11 +103,9 @@ export const rotation: fc.Arbitrary<readonly [Vec3, Vec3, Vec3]> = fc
   .tuple(plain(-1, 1), plain(-1, 1), plain(-1, 1), plain(-1, 1))
   .filter((q) => q.some((x) => x !== 0))
   .map((q) => {
-    const size = Math.hypot(...q);
-    const [w, x, y, z] = [q[0] / size, q[1] / size, q[2] / size, q[3] / size];
-    return [
-      [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
-      [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
-      [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
-    ];
+    const turn = new Quaternion(...q).normalize();
+    const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(
+      (axis) => axis.applyQuaternion(turn).toArray(),
+    );
+    return [x!, y!, z!];
   });

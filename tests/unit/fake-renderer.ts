@@ -55,8 +55,22 @@ export class FakeRenderer {
           data: new Float32Array(width * height * 4),
         });
       },
-      texSubImage2D: (...call: Parameters<FakeRenderer['texSubImage2D']>) => {
-        this.texSubImage2D(...call);
+      texSubImage2D: (
+        ...[, , x, y, width, height, , , data, first]: [
+          ...[target: number, level: number, x: number, y: number, width: number, height: number],
+          ...[format: number, type: number, data: Float32Array, first: number],
+        ]
+      ) => {
+        this.patches.push({ x, y, width, height });
+        const bound = this.#texels();
+        for (let line = 0; line < height; line++) {
+          const from = first + line * width * 4;
+          const to = ((y + line) * bound.width + x) * 4;
+          if (to + width * 4 > bound.data.length || x + width > bound.width) {
+            throw new RangeError('beyond the texture');
+          }
+          bound.data.set(data.subarray(from, from + width * 4), to);
+        }
       },
     };
     this.renderer = {
@@ -90,24 +104,6 @@ export class FakeRenderer {
   /** Texels that the GPU has of a texture; none where it holds nothing. */
   pixels(texture: ExternalTexture): readonly number[] {
     return [...(this.#texelsOf(texture)?.data ?? [])];
-  }
-
-  texSubImage2D(
-    ...[, , x, y, width, height, , , data, first]: [
-      ...[target: number, level: number, x: number, y: number, width: number, height: number],
-      ...[format: number, type: number, data: Float32Array, first: number],
-    ]
-  ): void {
-    this.patches.push({ x, y, width, height });
-    const bound = this.#texels();
-    for (let line = 0; line < height; line++) {
-      const from = first + line * width * 4;
-      const to = ((y + line) * bound.width + x) * 4;
-      if (to + width * 4 > bound.data.length || x + width > bound.width) {
-        throw new RangeError('beyond the texture');
-      }
-      bound.data.set(data.subarray(from, from + width * 4), to);
-    }
   }
 
   #texelsOf({ sourceTexture }: ExternalTexture): Texels | undefined {

@@ -13,10 +13,11 @@ const pauses = countedPauses();
 
 const MANY = 2 ** 13;
 
+const loadTriangle = (more: Json) => loadFiles({ 'a.glb': new Uint8Array(triangleGlb(more)) });
+
 /** Pauses of a load of the triangle with this in its document, readable or not. */
 async function pausesWith(more: Json) {
-  const file = new Uint8Array(triangleGlb(more));
-  await loadFiles({ 'a.glb': file }).catch(() => undefined);
+  await loadTriangle(more).catch(() => undefined);
   return pauses.count;
 }
 
@@ -79,16 +80,12 @@ it('the nodes that a scene names thousands of times are visited once', async () 
     return found;
   } as never);
   const [children, roots] = [300, 1000];
-  const { parts } = await loadFiles({
-    'a.glb': new Uint8Array(
-      triangleGlb({
-        scenes: [{ nodes: Array<number>(roots).fill(0) }],
-        nodes: [
-          { mesh: 0, children: Array.from({ length: children }, (_, i) => i + 1) },
-          ...Array<Json>(children).fill({}),
-        ],
-      }),
-    ),
+  const { parts } = await loadTriangle({
+    scenes: [{ nodes: Array<number>(roots).fill(0) }],
+    nodes: [
+      { mesh: 0, children: Array.from({ length: children }, (_, i) => i + 1) },
+      ...Array<Json>(children).fill({}),
+    ],
   });
   flatMap.mockRestore();
   expect(parts).toHaveLength(1);
@@ -116,9 +113,7 @@ it('lists of another length than wanted are not walked', async () => {
   const isFinite = vi.spyOn(Number, 'isFinite');
   const long = Array<number>(10_000).fill(1);
   const material = { pbrMetallicRoughness: { baseColorFactor: long } };
-  await expect(
-    loadFiles({ 'a.glb': new Uint8Array(triangleGlb({ materials: [material] })) }),
-  ).rejects.toThrow(/is not 4 numbers/);
+  await expect(loadTriangle({ materials: [material] })).rejects.toThrow(/is not 4 numbers/);
   expect(isFinite.mock.calls.length).toBeLessThan(1000);
 });
 

@@ -1,9 +1,11 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had
 // sent them, and its numbers.
+import { deflateSync } from 'node:zlib';
 import { afterEach, beforeEach, vi } from 'vitest';
 import { imageSize } from '../../../src/extras/models/image.js';
 import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/phong/model/model.js';
+import { pngWith } from '../../fuzz/glb.js';
 import { requestFile } from '../../../src/viewer/model/request-model.js';
 
 /** A load that nothing aborts. */
@@ -121,17 +123,11 @@ export function cornersOf(model: Content, name: string): number[][] {
   return indexOf(model).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));
 }
 
-/** A PNG image of this size, as far as a header goes, and one byte. */
-export const png = (width = 2, height = 2): Uint8Array<ArrayBuffer> =>
-  new Uint8Array([...pngHeader(width, height), 0]);
+/** A PNG image of this size by its header, whose data end early. */
+export const png = (width = 2, height = 2) =>
+  new Uint8Array(pngWith(width, height, 32, deflateSync(Buffer.alloc(10))));
 
-export function pngHeader(width = 2, height = 2): Uint8Array<ArrayBuffer> {
-  const text = '\x89PNG\r\n\x1a\n\0\0\0\rIHDR'.padEnd(37, '\0') + 'IDAT';
-  const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
-  new DataView(bytes.buffer).setUint32(16, width);
-  new DataView(bytes.buffer).setUint32(20, height);
-  return bytes;
-}
+export const pngHeader = () => png().subarray(0, 41);
 
 /** Node has no createImageBitmap: gives an image of the size in the header. */
 export async function bitmapOf(blob: Blob, close: () => void = () => undefined) {

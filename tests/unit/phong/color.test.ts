@@ -29,8 +29,9 @@ describe('the sRGB curve', () => {
   });
 
   it('is undone by its inverse, from black to the brightest light', () => {
+    const thousandths = fc.integer({ min: 0, max: 1000 }).map((n) => n / 1000);
     fc.assert(
-      fc.property(between(0, 4000), (x) => {
+      fc.property(fc.oneof(thousandths, between(0, 4000)), (x) => {
         // The two published knees do not meet exactly: 2e-9 of step.
         expect(Math.abs(srgbEncode(srgbDecode(x)) - x)).toBeLessThan(3e-8 + 1e-14 * x);
         expect(Math.abs(srgbDecode(srgbEncode(x)) - x)).toBeLessThan(3e-9 + 1e-14 * x);
