@@ -1,6 +1,7 @@
 // Bundles a script as a user's bundler does. The script may import packages of this repository or
 // files of dist/.
 
+import { execFileSync } from 'node:child_process';
 import { build } from 'vite';
 import { repository } from '../support/repository.mjs';
 
@@ -46,3 +47,17 @@ export async function bundleOf(
   );
   return atStart.map(({ code }) => code).join('\n');
 }
+
+/** The markup that a server sends of `App`, a component that this script defines. */
+export const renderedByServer = (script: string): string =>
+  execFileSync(
+    process.execPath,
+    [
+      '--input-type=module',
+      '-e',
+      `${script}
+      const { renderToString } = await import('react-dom/server');
+      process.stdout.write(renderToString(h(App)));`,
+    ],
+    { cwd: repository, encoding: 'utf8' },
+  );

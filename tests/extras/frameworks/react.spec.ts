@@ -2,17 +2,16 @@
 // renders a page in Node, and React's development build hydrates it in the browser and reports
 // differences on the console.
 
-import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import type { PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
+import { assign } from '../../element/support/viewer.js';
 import type { ConsoleGuard } from '../../support/console-guard.js';
 import type { Site } from '../../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../../support/test.js';
-import { bundleOf } from '../../package/bundle.js';
-import { repository } from '../../support/repository.mjs';
+import { bundleOf, renderedByServer } from '../../package/bundle.js';
 
 const components = join(outputFolder('dist'), 'react.js');
 
@@ -48,19 +47,7 @@ const app = (file: string) => `
   }
 `;
 
-/** The markup that a server sends. */
-const renderedByServer = () =>
-  execFileSync(
-    process.execPath,
-    [
-      '--input-type=module',
-      '-e',
-      `${app(pathToFileURL(components).href)}
-      const { renderToString } = await import('react-dom/server');
-      process.stdout.write(renderToString(h(App)));`,
-    ],
-    { cwd: repository, encoding: 'utf8' },
-  );
+const fromServer = () => renderedByServer(app(pathToFileURL(components).href));
 
 // One worker for all, so that the script is bundled once.
 test.describe.configure({ mode: 'default' });
@@ -107,7 +94,7 @@ const values = (page: Page) =>
   });
 
 test('arrays, false, numbers and text are attributes of the markup that a server sends', () => {
-  const markup = renderedByServer();
+  const markup = fromServer();
   for (const attribute of [
     'active="false"',
     'ambient="200 100 50"',
@@ -129,74 +116,60 @@ test('arrays, false, numbers and text are attributes of the markup that a server
 });
 
 for (const way of ['hydrated', 'rendered by the client alone']) {
-  test.describe(`a page that is ${way}`, () => {
-    test.beforeEach(async ({ page, site, consoleGuard }) =>
-      show(page, site, consoleGuard, way === 'hydrated' ? renderedByServer() : ''),
-    );
-
-    test('has the values of its props, and an empty console', async ({ page }) => {
-      expect(await values(page)).toEqual({
-        theta: 20,
-        phi: 90,
-        terms: ['ambient'],
-        orbit: false,
-        gui: false,
-        alt: 'A "quoted" sphere',
-        texts: { Loading: 'Lädt' },
-        light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
-        mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
-      });
-      const viewer = page.locator('phong-viewer#scene.picture[data-kind=test]');
-      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([
-        0, 0, 0, 255,
-      ]);
+  test(`a page that is ${way} has the values of its props, hears events, and draws changes`, async ({
+    page,
+    site,
+    consoleGuard,
+  }) => {
+    await show(page, site, consoleGuard, way === 'hydrated' ? fromServer() : '');
+    expect(await values(page)).toEqual({
+      theta: 20,
+      phi: 90,
+      terms: ['ambient'],
+      orbit: false,
+      gui: false,
+      alt: 'A "quoted" sphere',
+      texts: { Loading: 'Lädt' },
+      light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
+      mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
     });
+    const viewer = page.locator('phong-viewer#scene.picture[data-kind=test]');
+    const middle = async () => pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10);
+    expect(await middle()).toEqual([0, 0, 0, 255]);
 
-    test('draws changed props, restores defaults, warns of refused ones', async ({
-      page,
-      consoleGuard,
-    }) => {
-      await page.getByText('light up').click();
-      await allReady(page);
-      const viewer = page.locator('phong-viewer');
-      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([
-        0, 100, 200, 255,
-      ]);
-      await page.getByText('turn').click();
-      expect(await values(page)).toMatchObject({
-        theta: 90,
-        phi: 90,
-        terms: [],
-        orbit: true,
-        gui: false,
-        texts: null,
-      });
-      await expect(viewer).toHaveAttribute('theta', '90');
-      await expect(viewer).toHaveAttribute('terms', '');
-      await expect(viewer).not.toHaveAttribute('auto-rotate');
-      await expect(viewer).not.toHaveAttribute('gui');
-      await expect(page.locator('phong-light')).toHaveAttribute('active', 'true');
-      consoleGuard.allow(/^warning: <phong-light> ambient="no colour": expected .* using 0 0 0/, 1);
-      await page.getByText('spoil').click();
-      await expect(page.locator('phong-light')).toHaveAttribute('ambient', 'no colour');
-      expect(await values(page)).toMatchObject({ light: { active: true, ambient: [0, 0, 0] } });
-    });
+    // The element's events come once each, React's too, and the ref is set.
+    const turn = (theta: number) => assign(viewer, { theta });
+    await turn(30);
+    await expect(page.locator('output')).toHaveText('nothing, script');
+    // The handler of the first render would say the same again.
+    await turn(40);
+    await expect(page.locator('output')).toHaveText('nothing, script, script');
+    await page.getByText('ask the ref').click();
+    await expect(page.locator('samp')).toHaveText('phong-viewer at 40');
+    await viewer.click();
+    await expect(page.locator('samp')).toHaveText('pressed');
 
-    test("receives the element's events once each and React's events, and sets the ref", async ({
-      page,
-    }) => {
-      const viewer = page.locator('phong-viewer');
-      const turn = (to: number) =>
-        viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
-      await turn(30);
-      await expect(page.locator('output')).toHaveText('nothing, script');
-      // The handler of the first render would say the same again.
-      await turn(40);
-      await expect(page.locator('output')).toHaveText('nothing, script, script');
-      await page.getByText('ask the ref').click();
-      await expect(page.locator('samp')).toHaveText('phong-viewer at 40');
-      await viewer.click();
-      await expect(page.locator('samp')).toHaveText('pressed');
+    // Changed props are drawn, props that have gone restore defaults, refused ones are named.
+    await page.getByText('light up').click();
+    await allReady(page);
+    expect(await middle()).toEqual([0, 100, 200, 255]);
+    await page.getByText('turn').click();
+    expect(await values(page)).toMatchObject({
+      theta: 90,
+      phi: 90,
+      terms: [],
+      orbit: true,
+      gui: false,
+      texts: null,
     });
+    await expect(viewer).toHaveAttribute('theta', '90');
+    await expect(viewer).toHaveAttribute('terms', '');
+    await expect(viewer).not.toHaveAttribute('auto-rotate');
+    await expect(viewer).not.toHaveAttribute('gui');
+    await expect(page.locator('phong-light')).toHaveAttribute('active', 'true');
+    consoleGuard.allow(/^warning: <phong-light> ambient="no colour": expected .* using 0 0 0/, 1);
+    await page.getByText('spoil').click();
+    await expect(page.locator('phong-light')).toHaveAttribute('ambient', 'no colour');
+    expect(await values(page)).toMatchObject({ light: { active: true, ambient: [0, 0, 0] } });
   });
 }

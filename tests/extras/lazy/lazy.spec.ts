@@ -1,18 +1,17 @@
 // `phong-viewer.lazy.js`: pages whose viewers stand still with their posters until somebody wants
 // more. All pages have the strict policy.
-import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
-import { PNG } from 'pngjs';
 import { still } from '../../../src/extras/still/index.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
-import { bundleOf } from '../../package/bundle.js';
+import { bundleOf, renderedByServer } from '../../package/bundle.js';
 import { Requests } from '../../package/requests.js';
-import { type ViewerLocator, expect, test } from '../../support/test.js';
-import { cameraOf, holdBack, type PhongViewer } from '../../element/support/viewer.js';
-import { repository } from '../../support/repository.mjs';
+import { countJumps, jumpsOf } from '../../support/jumps.js';
+import { decodePng } from '../../support/picture.js';
+import { expect, test } from '../../support/test.js';
+import { cameraOf, Fingers, holdBack, type PhongViewer } from '../../element/support/viewer.js';
 
 // The pointer rests in the corner.
 const css = 'body { margin: 60px } phong-viewer { display: block; width: 300px; height: 200px }';
@@ -38,30 +37,20 @@ test('the file has at most 2 kB, and a page with ten figures fetches nothing els
   page,
   site,
 }) => {
-  expect(readFileSync(join(outputFolder('dist'), 'phong-viewer.lazy.js')).length).toBeLessThan(
-    2049,
-  );
+  expect(statSync(join(outputFolder('dist'), 'phong-viewer.lazy.js')).size).toBeLessThan(2049);
   const requests = new Requests(page);
+  await countJumps(page);
   await page.goto(site.page(`<p>Text</p>${figure().repeat(10)}`, { css, head }));
   await page.mouse.wheel(0, 2000);
   await expect(page.locator('[slot=poster]').last()).toBeVisible();
   expect(requests.take()).toEqual(['phong-viewer.lazy.js']);
-  // A viewer stays where it is while it takes over.
-  const shifts = await page.evaluateHandle(() => {
-    const seen: number[] = [];
-    new PerformanceObserver((list) => seen.push(...list.getEntries().map(() => 1))).observe({
-      type: 'layout-shift',
-      buffered: true,
-    });
-    return seen;
-  });
   await page.locator('phong-viewer').nth(9).hover();
   await page.waitForFunction(
     () => [...document.querySelectorAll<PhongViewer>('phong-viewer')].at(-1)!.loaded,
   );
   await expect(page.locator('[slot=poster]').last()).toBeHidden();
   expect(requests.take()).toEqual([ELEMENTS]);
-  expect(await shifts.jsonValue()).toEqual([]);
+  expect(await jumpsOf(page), 'each stays where it is while it takes over').toBe(0);
 });
 
 test('the drag that asks for the elements turns the viewer by what the pointer has moved', async ({
@@ -99,30 +88,25 @@ test('a finger’s drag that asks for the elements turns the viewer too, and the
   const long = `${css} .far { height: 3000px }`;
   await page.goto(site.page(`${figure()}<div class="far"></div>`, { css: long, head }));
   const send = await holdElements(page);
-  const cdp = await page.context().newCDPSession(page);
-  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number, y?: number) =>
-    cdp.send('Input.dispatchTouchEvent', {
-      type,
-      touchPoints: x === undefined ? [] : [{ x, y: y! }],
-    });
-  await touch('touchStart', 150, 100);
+  const fingers = await Fingers.on(page);
+  await fingers.down([150, 100]);
   for (let x = 160; x <= 210; x += 10) {
-    await touch('touchMove', x, 100);
+    await fingers.move([x, 100]);
   }
   await expect.poll(() => page.evaluate(() => scrollY)).toBe(0);
   send();
   await waitForPicture(page);
   await expect.poll(() => thetaOf(page)).not.toBe(30);
   const turned = await thetaOf(page);
-  await touch('touchMove', 270, 100);
+  await fingers.move([270, 100]);
   await expect.poll(async () => (await thetaOf(page)) - 30).toBeCloseTo(2 * (turned - 30), 6);
-  await touch('touchEnd');
+  await fingers.up();
   // Up and down the finger scrolls, over a viewer too.
-  await touch('touchStart', 150, 200);
+  await fingers.down([150, 200]);
   for (let y = 190; y >= 100; y -= 10) {
-    await touch('touchMove', 150, y);
+    await fingers.move([150, y]);
   }
-  await touch('touchEnd');
+  await fingers.up();
   await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
 });
 
@@ -250,9 +234,6 @@ test('a poster beside a panel lies where the picture will be', async ({ page, si
   expect(surface!.width).toBeCloseTo(500, 0);
 });
 
-const shot = async (viewer: ViewerLocator): Promise<PNG> =>
-  PNG.sync.read(await viewer.screenshot());
-
 test('a poster by the command differs from the picture that takes over only at outlines', async ({
   page,
   site,
@@ -275,14 +256,14 @@ test('a poster by the command differs from the picture that takes over only at o
   );
   const viewer = page.locator('phong-viewer');
   await expect(page.locator('[slot=poster]')).toBeVisible();
-  const before = await shot(viewer);
-  await page.locator('phong-viewer').hover();
+  const before = decodePng(await viewer.screenshot());
+  await viewer.hover();
   await viewer.evaluate(async (element: PhongViewer) => {
     await customElements.whenDefined('phong-viewer');
     await element.ready;
   });
   await expect(page.locator('[slot=poster]')).toBeHidden();
-  const after = await shot(viewer);
+  const after = decodePng(await viewer.screenshot());
   let inside = 0;
   let apart = 0;
   const { width } = before;
@@ -318,17 +299,7 @@ test('React renders the poster on the server, and hydrates it without the elemen
 }) => {
   consoleGuard.allow(/^info: .*React DevTools/);
   const components = join(outputFolder('dist'), 'react-lazy.js');
-  const markup = execFileSync(
-    process.execPath,
-    [
-      '--input-type=module',
-      '-e',
-      `${app(pathToFileURL(components).href)}
-      const { renderToString } = await import('react-dom/server');
-      process.stdout.write(renderToString(h(App)));`,
-    ],
-    { cwd: repository, encoding: 'utf8' },
-  );
+  const markup = renderedByServer(app(pathToFileURL(components).href));
   expect(markup).toContain('<img slot="poster" src="data:image/svg+xml,');
   const body = await bundleOf(
     `${app(components)}
