@@ -71,23 +71,18 @@ test('`auto` frames all poses at the keys: a model that grows or slides stays in
 }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   /** The least distance of the picture from its edge while it plays, in pixels. */
-  const margin = () =>
-    viewer.evaluate(async (element) => {
-      let least = Infinity;
-      for (const end = performance.now() + 2100; performance.now() < end;) {
-        const bitmap = await createImageBitmap(await element.toBlob({ width: 160, height: 120 }));
-        const context = new OffscreenCanvas(160, 120).getContext('2d')!;
-        context.drawImage(bitmap, 0, 0);
-        const { data } = context.getImageData(0, 0, 160, 120);
-        for (let i = 0; i < 160 * 120; i += 1) {
-          if (data[4 * i + 3] === 0) continue;
-          const [x, y] = [i % 160, Math.floor(i / 160)];
-          least = Math.min(least, x, 159 - x, y, 119 - y);
-        }
-        await new Promise(requestAnimationFrame);
+  const margin = async () => {
+    let least = Infinity;
+    for (const end = performance.now() + 2100; performance.now() < end;) {
+      const { data } = await pixels(viewer, SIZE);
+      for (let i = 0; i < 160 * 120; i += 1) {
+        if (data[4 * i + 3] === 0) continue;
+        const [x, y] = [i % 160, Math.floor(i / 160)];
+        least = Math.min(least, x, 159 - x, y, 119 - y);
       }
-      return least;
-    });
+    }
+    return least;
+  };
   for (const name of firstOf(['slide', 'swell', 'bend'], 1)) {
     await show(viewer, viewerOf(`autoplay animation-name="${name}"`));
     expect.soft(await margin(), name).toBeGreaterThan(0);
@@ -104,7 +99,6 @@ test('`auto` frames all poses at the keys: a model that grows or slides stays in
 });
 
 test('target and radius stay while a model moves; bad names give warnings', async ({
-  page,
   mount,
   consoleGuard,
 }) => {
@@ -115,7 +109,6 @@ test('target and radius stay while a model moves; bad names give warnings', asyn
   expect(await cameraOf(viewer)).toMatchObject({ target, radius });
   await assign(viewer, { animationName: 'dance' });
   await played(viewer);
-  await page.emulateMedia({ reducedMotion: 'reduce' });
 });
 
 test('shadeAt explains an animated picture of joints, morphs, flat copies and nodes', async ({
@@ -143,7 +136,7 @@ test('shadeAt explains an animated picture of joints, morphs, flat copies and no
     await page.emulateMedia({ reducedMotion: 'no-preference' });
   }
 });
-test('lights are culled by the pose of the last frame', async ({ page, mount }) => {
+test('lights are culled by the pose of the last frame', async ({ mount }) => {
   // The spot lights a place that the bar reaches only during `slide`, which moves it by 3 along x
   // within a second.
   const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
@@ -157,5 +150,4 @@ test('lights are culled by the pose of the last frame', async ({ page, mount }) 
   await reached(1);
   await reached(2);
   await reached(1);
-  await page.emulateMedia({ reducedMotion: 'reduce' });
 });
