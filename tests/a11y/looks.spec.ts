@@ -49,7 +49,6 @@ for (const media of [
         expect(best, `the ring on ${picture}`).toBeGreaterThanOrEqual(CONTRAST);
       }
     }
-    await page.emulateMedia({ colorScheme: null, forcedColors: null });
   });
 }
 

@@ -239,7 +239,6 @@ test('a notice keeps clear of the panel, and has a border in forced colours', as
   }
   await page.emulateMedia({ forcedColors: 'active' });
   await expect(notice).toHaveCSS('border-top-width', '1px');
-  await page.emulateMedia({ forcedColors: null });
 });
 
 test.describe('text over the picture', () => {
@@ -352,7 +351,6 @@ test.describe('an open panel', () => {
     const paper = await picture(viewer);
     expect(paper.right - paper.left).toBeCloseTo(screen.right - screen.left, 0);
     expect(paper.left + paper.right, 'in the middle').toBeCloseTo(900, 0);
-    await page.emulateMedia({ media: null });
   });
 
   test('has room for `140 140 140` in fields of colours', async ({ mount }) => {

@@ -211,7 +211,6 @@ test('speaks the page’s language, works under a strict policy, prints name and
   await expect(only.locator('input').first()).toBeHidden();
   await expect(only.locator('.printed')).toHaveText('30°');
   await expect(only.locator('.printed')).toBeVisible();
-  await page.emulateMedia({ media: null });
 });
 
 test('in a sentence what has no label is alone, a number is rounded as `step` says, and one edit is one step', async ({
@@ -250,5 +249,4 @@ test('in a sentence what has no label is alone, a number is rounded as `step` sa
     ),
   );
   expect(name).toBeLessThan(state!);
-  await page.emulateMedia({ media: null });
 });
