@@ -10,6 +10,7 @@ import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from '../draco-decoder.js';
 import { entries, sourcePath } from '../entries.mjs';
+import { gltfThree, isOfGltfThree } from '../gltf-three.js';
 import { inPage } from '../in-page.js';
 import { modelChunks } from '../model-chunks.js';
 import { nativeMath } from '../native-math.js';
@@ -146,6 +147,7 @@ export default defineConfig(({ mode }) => ({
     strippedGlsl(),
     textKeys(),
     inPage(),
+    isForNode(mode) ? null : gltfThree(),
     decoderWorkers({ plugins: workerPlugins, files: mode !== 'still' }),
     beforeLit,
     mode in elementsOf ? elementsBeside(elementsOf[mode]!) : null,
@@ -169,7 +171,8 @@ export default defineConfig(({ mode }) => ({
       fileName: (_format, name) => `${name}.js`,
     },
     rolldownOptions: {
-      external: staysImport,
+      external: (specifier) =>
+        staysImport(specifier) && (isForNode(mode) || !isOfGltfThree(specifier)),
       // Lets chunks import from the entry. Otherwise the code that they share with it would be a
       // second file that every page has to fetch. For the same reason all static imports of an
       // entry are one chunk.

@@ -8,7 +8,7 @@ import {
   type MeshStandardMaterial,
   type Object3D,
   type Skeleton,
-  SkinnedMesh,
+  type SkinnedMesh,
   type Texture,
 } from 'three';
 import { faceNormals } from '../model-reader.js';
@@ -63,7 +63,7 @@ export function nodeOf(
  * skeleton.
  */
 export const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
-  mesh instanceof SkinnedMesh && (mesh.skeleton as Skeleton | undefined) !== undefined;
+  (mesh as Partial<SkinnedMesh>).skeleton !== undefined;
 
 export class Geometries {
   readonly deformations: Deformation[] = [];
