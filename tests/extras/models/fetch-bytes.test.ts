@@ -184,7 +184,7 @@ describe('the files of one model', () => {
     });
     const fetchBytes = byteFetcher(loadWith(signal), new ModelBudget());
     const results = Array.from({ length: count }, (_, i) =>
-      fetchBytes(new URL(`${String(i)}.bin`, 'https://shop.example'), 'error').then(
+      fetchBytes(new URL(`${i}.bin`, 'https://shop.example'), 'error').then(
         () => 'loaded',
         (error: Error & { code?: string }) => error.code ?? error.message,
       ),

@@ -247,7 +247,7 @@ const list = (
   name,
   values,
   accessor: {
-    type: `VEC${String(size)}`,
+    type: `VEC${size}`,
     count: values.length / size,
     componentType,
     normalized: componentType !== FLOAT,

@@ -418,9 +418,7 @@ describe('documents that are wrong', () => {
     '{"__proto__":{"scenes":[]},"constructor":0,',
   );
 
-  const names = Object.fromEntries(
-    Array.from({ length: 5000 }, (_, i) => [`name ${String(i)}`, 0]),
-  );
+  const names = Object.fromEntries(Array.from({ length: 5000 }, (_, i) => [`name ${i}`, 0]));
   const primitive = { attributes: { POSITION: 0 } };
   const withPrimitive = (more: Json) =>
     hostile.triangleGlb({ meshes: [{ primitives: [{ ...primitive, ...more }] }] });

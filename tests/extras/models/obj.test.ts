@@ -446,18 +446,6 @@ describe('the materials of an OBJ file', () => {
     expect(map.wrapS).toBe(clamped ? ClampToEdgeWrapping : RepeatWrapping);
   });
 
-  it('are left out with one warning that lists the files that are missing', async () => {
-    const text = `mtllib a.mtl\nmtllib b.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}`;
-    const model = await loadFiles({
-      'a.obj': text,
-      'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n',
-    });
-    expect(model.parts[0]).toMatchObject({ surface: { kd: [255, 0, 0] }, look: { map: null } });
-    const named =
-      /a\.obj is shown without 2 of the files.*The server answered 404 for a\.mtl.*x\.png/;
-    expect(warnings).toEqual([expect.stringMatching(named)]);
-  });
-
   it.each(['//host/x.mtl', '//no host/x.mtl', '\\\\server\\share\\x.mtl', 'http://host/x.mtl'])(
     'are left out with a warning where the library is %s',
     async (library) => {

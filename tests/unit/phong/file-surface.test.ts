@@ -14,8 +14,8 @@ describe('the exponent for a roughness', () => {
   it('lets the highlight of rougher surfaces fade out: no flat patch, and no edge where R·V reaches 0', () => {
     for (const roughness of [0.77, 0.8, 0.9, 0.99, 1]) {
       const n = exponentOfRoughness(roughness);
-      expect(0.5 ** n, `half way, at ${String(roughness)}`).toBeLessThan(0.6);
-      expect(0.01 ** n, `near the rim, at ${String(roughness)}`).toBeLessThan(0.02);
+      expect(0.5 ** n, `half way, at ${roughness}`).toBeLessThan(0.6);
+      expect(0.01 ** n, `near the rim, at ${roughness}`).toBeLessThan(0.02);
     }
   });
 });

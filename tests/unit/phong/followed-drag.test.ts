@@ -23,7 +23,7 @@ function press(slop: number, canCapture = true, view: EventTarget | null = new E
     PRESS as unknown as PointerEvent,
     slop,
     {
-      moved: (dx, dy) => log.push(`${String(dx)} ${String(dy)}`),
+      moved: (dx, dy) => log.push(`${dx} ${dy}`),
       ended: () => log.push('ended'),
     },
   );

@@ -1,7 +1,7 @@
 // Does the judge name each usual mistake from its colours, alone and in pairs, and nothing that the
 // colours do not bear out?
 import { describe, expect, it } from 'vitest';
-import { normalize, type Vec3 } from '../../../src/phong/math/vector.js';
+import { map, normalize, type Vec3 } from '../../../src/phong/math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS } from '../../../src/phong/mistakes/mistakes.js';
 import {
   type Case,
@@ -109,8 +109,8 @@ describe('from the colours at the sheet', () => {
     black: () => [0, 0, 0],
     white: () => [1, 1, 1],
     'the normal as a colour': ({ normal }) => normalize(normal),
-    'half of the light': (given) => sumAt([given]).map((x) => x / 2) as unknown as Vec3,
-    'a gamma curve': (given) => sumAt([given]).map((x) => x ** (1 / 2.2)) as unknown as Vec3,
+    'half of the light': (given) => map(sumAt([given]), (x) => x / 2),
+    'a gamma curve': (given) => map(sumAt([given]), (x) => x ** (1 / 2.2)),
     'red and blue exchanged': (given) => {
       const [r, g, b] = sumAt([given]);
       return [b, g, r];

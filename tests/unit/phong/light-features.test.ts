@@ -38,7 +38,7 @@ function namesIn(mask: number) {
   const { powerShift, ...bits } = LIGHT_FEATURES;
   const names = Object.entries(bits).flatMap(([name, bit]) => ((mask & bit) !== 0 ? [name] : []));
   const power = mask >> powerShift;
-  return [...names, ...(power > 0 ? [`power ${String(power)}`] : [])].sort();
+  return [...names, ...(power > 0 ? [`power ${power}`] : [])].sort();
 }
 
 describe('the features of a light', () => {

@@ -178,7 +178,7 @@ describe('lights in a grid', () => {
           if (!isLit(one, p)) return;
           found += 1;
           if (!added.has(rows.get(k + 1)!)) {
-            expect.fail(`light ${k} at ${String(p)}`);
+            expect.fail(`light ${k} at ${p}`);
           }
         });
       }
@@ -208,7 +208,7 @@ describe('lights in a grid', () => {
       const rows = rowByNumber(into);
       cases.forEach(({ lamp, at, p }, i) => {
         expect(isLit(lamp, at)).toBe(true);
-        expect(addedAt(into, p), `flat along ${flat}, at ${String(p)}`).toContain(rows.get(i + 1));
+        expect(addedAt(into, p), `flat along ${flat}, at ${p}`).toContain(rows.get(i + 1));
       });
     }
   });

@@ -30,7 +30,7 @@ it.each(GEOMETRIES)(
       const corners = geometry.index!.count;
       const needs = shapeNeeds({ name, segments, isLevel: false }, true);
       const [smooth = 0, flat = 0] = needs.map(({ claims }) => claims.values);
-      const what = `${name} ${String(segments)}`;
+      const what = `${name} ${segments}`;
       expect(smooth / VALUES_PER_TRIANGLE, what).toBeGreaterThanOrEqual(corners / 3);
       expect(smooth / VALUES_PER_TRIANGLE, what).toBeLessThanOrEqual((1.1 * corners) / 3);
       expect(flat, what).toBeGreaterThanOrEqual(
@@ -182,7 +182,7 @@ describe('the budget of triangles', () => {
             held[i]!.release();
           }
           try {
-            held[i]!.add(keys.map((key) => need(`k${String(key)}`, key + 1)));
+            held[i]!.add(keys.map((key) => need(`k${key}`, key + 1)));
           } catch {
             // Refused: the sum below still holds.
           }

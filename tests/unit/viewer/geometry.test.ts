@@ -55,7 +55,7 @@ it.each(GEOMETRIES)(
   async (name) => {
     for (const segments of FEW) {
       const geometry = await createGeometry(name, segments);
-      const text = `${String(segments)} segments`;
+      const text = `${segments} segments`;
       const { position, normal, uv } = geometry.attributes;
       const isInside = position!.array.every((x) => Math.abs(x) <= 0.5 + 1e-7);
       expect(isInside, text).toBe(true);
@@ -146,7 +146,7 @@ function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly od
 const LEVELS = [16, 24, 80];
 
 describe('a cut shape', () => {
-  it(`has the sides of the whole one, few triangles, and two at each edge of a box (seed ${String(SEED)})`, () => {
+  it(`has the sides of the whole one, few triangles, and two at each edge of a box (seed ${SEED})`, () => {
     const dice = new Dice(SEED);
     for (let i = 0; i < 200; i++) {
       // Round numbers too: cubes that end exactly in a face or in an edge.
@@ -207,7 +207,7 @@ describe('closed shapes', () => {
           volume += dot(corners[0], area) / 6;
         }
         expect(volume).toBeGreaterThan(0.01);
-        expect(edgesOf(geometry), `${String(segments)} segments`).toEqual({ open: 0, odd: 0 });
+        expect(edgesOf(geometry), `${segments} segments`).toEqual({ open: 0, odd: 0 });
       }
     },
   );

@@ -156,7 +156,7 @@ it.each(CASES)(
         }
       }
       expect(inside, 'pixels').toBeGreaterThan(PIXELS / 20);
-      const text = `${name}, ${String(size)} pixels, exponent ${String(shininess)}: ${String(level)} segments`;
+      const text = `${name}, ${size} pixels, exponent ${shininess}: ${level} segments`;
       expect(close / inside, text).toBeGreaterThanOrEqual(LEAST[name]);
     }
   },
