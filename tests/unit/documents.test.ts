@@ -28,7 +28,7 @@ const decisions = documents.filter((path) => path.startsWith('src/decisions/'));
 
 const read = (path: string) => readFileSync(join(repository, path), 'utf8');
 
-const anchorsOf = (path: string): readonly string[] =>
+const anchorsOf = (path: string) =>
   Array.from(read(path).matchAll(/^#+ (.+)$/gm), ([, heading = '']) => anchorOf(heading));
 
 /** Links of a page to files of the repository and to headings in them. */
@@ -55,8 +55,7 @@ function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]) {
   );
 }
 
-const codeIn = (cell: string): readonly string[] =>
-  Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
+const codeIn = (cell: string) => Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
 
 describe('the documents', () => {
   it.each(documents)('%s links to files and headings that exist', (path) => {

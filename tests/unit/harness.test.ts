@@ -5,7 +5,7 @@ import { EventEmitter } from 'node:events';
 import type { BrowserContext } from '@playwright/test';
 import { describe, expect, it } from 'vitest';
 import { ConsoleGuard } from '../support/console-guard.js';
-import { compare, pixelAt, type Picture } from '../support/picture.js';
+import { compare, pixelAt } from '../support/picture.js';
 
 async function guarded() {
   const context = Object.assign(new EventEmitter(), { addInitScript: () => Promise.resolve() });
@@ -49,7 +49,7 @@ describe('ConsoleGuard', () => {
 });
 
 describe('pictures', () => {
-  const picture = (...data: number[]): Picture => ({
+  const picture = (...data: number[]) => ({
     width: data.length / 4,
     height: 1,
     data: new Uint8Array(data),

@@ -29,10 +29,10 @@ interface Shape {
 }
 
 /** The upright shapes of a scene's markup. */
-function shapesOf(scene: string): readonly Shape[] {
+function shapesOf(scene: string) {
   return Array.from(scene.matchAll(/<phong-mesh\b([^>]*)>/g), ([, text = '']) => {
     const of = (name: string) => new RegExp(`\\s${name}="([^"]*)"`).exec(text)?.[1] ?? '';
-    const numbers = (name: string): readonly number[] => of(name).trim().split(/\s+/).map(Number);
+    const numbers = (name: string) => of(name).trim().split(/\s+/).map(Number);
     const geometry = of('rotation') === '' ? of('geometry') : '';
     const [, y = 0] = numbers('position');
     const [all, up = all] = numbers('scale');

@@ -18,7 +18,7 @@ const skeletonOf = (html: string) =>
     `${tag} ${attributes.replaceAll(/\s(alt|content|name|lang|src)="[^"]*"/g, '').replaceAll(/\s+/g, ' ')}`.trim(),
   ).sort();
 
-const bracesOf = (text: string): string[] => (text.match(/\{\d\}/g) ?? []).sort();
+const bracesOf = (text: string) => (text.match(/\{\d\}/g) ?? []).sort();
 
 it('the lesson is in four languages, a page each', () => {
   expect(languagesOf(LESSON)).toEqual(['en', 'de', 'es', 'pt']);

@@ -27,13 +27,13 @@ const jobs = workflows.flatMap(({ name, text }) =>
 );
 
 /** The values of a key in all workflows, without quotes. */
-const valuesOf = (key: string, text: string): readonly string[] =>
+const valuesOf = (key: string, text: string) =>
   Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) =>
     value.replaceAll("'", ''),
   );
 
 /** The entries of a list in brackets. */
-const listOf = (key: string, text: string): readonly string[] =>
+const listOf = (key: string, text: string) =>
   (valuesOf(key, text)[0] ?? '')
     .replaceAll(/[[\]]/g, '')
     .split(',')

@@ -11,7 +11,7 @@ const SCENE = `<phong-viewer alt="" geometry="sphere">
   <phong-light position="0 0 1 0"></phong-light>
 </phong-viewer>`;
 
-const lights = ({ lights }: PhongViewer): unknown =>
+const lights = ({ lights }: PhongViewer) =>
   lights.map(({ name, position, diffuse, aperture }) => [
     name,
     position.join(' '),

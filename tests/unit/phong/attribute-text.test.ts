@@ -59,7 +59,7 @@ describe('a number', () => {
 });
 
 describe('a list of numbers', () => {
-  it.each<[string, number[]]>([
+  it.each([
     ['1 2 3', [1, 2, 3]],
     ['1,2,3', [1, 2, 3]],
     ['1, 2 ,3', [1, 2, 3]],
@@ -158,7 +158,7 @@ describe('formatting', () => {
     );
   });
 
-  it.each<[unknown, string | null, Field<unknown>]>([
+  it.each([
     [[0.1, -1e-7, 1e21], '0.1 -1e-7 1e+21', vector],
     [true, 'true', booleanField(true)],
     [false, 'false', booleanField(true)],

@@ -41,7 +41,7 @@ function exact(root: Group): { center: Vector3; radiusAbout(point: Vector3): num
 }
 
 /** `error` is relative to the radius. */
-function expectExact(scene: Group, error: number): void {
+function expectExact(scene: Group, error: number) {
   const [{ bounds, radiusAbout }, truth] = [measure(scene), exact(scene)];
   const radius = truth.radiusAbout(truth.center);
   expect(new Vector3(...bounds!.center).distanceTo(truth.center)).toBeLessThan(error * radius);

@@ -72,7 +72,7 @@ interface ConeCase {
 }
 
 /** `apart`: not at the box, if the box is a single point. */
-function coneBy(random: Random, { middle, half, size }: BoxCase, apart = false): ConeCase {
+function coneBy(random: Random, { middle, half, size }: BoxCase, apart = false) {
   const radius = length(half) === 0 ? size : length(half);
   const away = Math.max(random.pick(AWAY), apart && length(half) === 0 ? 0.5 : 0);
   const apex = add(middle, scale(random.unit(), radius * away));
@@ -93,14 +93,14 @@ function angleOf({ apex, axis }: ConeCase, p: Vec3) {
  * Points of a box: corners, middles of edges and sides, any others, and where the cone would be
  * entered first.
  */
-function pointsOf(box: Box, cone: ConeCase, random: Random, count: number): Vec3[] {
+function pointsOf(box: Box, cone: ConeCase, random: Random, count: number) {
   const [x0, y0, z0, x1, y1, z1] = box;
   const held = ([x, y, z]: Vec3): Vec3 => [
     Math.min(Math.max(x, x0), x1),
     Math.min(Math.max(y, y0), y1),
     Math.min(Math.max(z, z0), z1),
   ];
-  const at = (i: number, j: number, k: number): Vec3 =>
+  const at = (i: number, j: number, k: number) =>
     held([x0 + i * (x1 - x0), y0 + j * (y1 - y0), z0 + k * (z1 - z0)]);
   const THREE = [0, 0.5, 1] as const;
   const points = THREE.flatMap((i) => THREE.flatMap((j) => THREE.map((k) => at(i, j, k))));
@@ -126,10 +126,7 @@ const full = [255, 255, 255] as const;
 const WHITE_SURFACE: Surface = { ka: full, kd: full, ks: full, shininess: 1 };
 
 /** `mask`: 1 for each sent light that can reach the box. */
-function cull(
-  packed: PackedLights,
-  box: Box,
-): { readonly mask: readonly number[]; readonly count: number } {
+function cull(packed: PackedLights, box: Box) {
   const mask = new Uint8Array(packed.sent + 1).fill(7);
   const count = cullLights(packed, box, mask);
   return { mask: [...mask.subarray(0, packed.sent)], count };

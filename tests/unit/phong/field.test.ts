@@ -52,7 +52,7 @@ const makers = {
 
 type Kind = keyof typeof makers;
 const kinds = Object.keys(makers) as Kind[];
-const fieldOf = (kind: Kind): Field<unknown> => makers[kind]();
+const fieldOf = (kind: Kind) => makers[kind]();
 
 describe('a field', () => {
   it.each<[Kind, FieldKind, unknown, string]>([

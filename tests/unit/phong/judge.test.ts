@@ -19,10 +19,10 @@ import { fullOr } from '../../support/repeats.js';
 import type { Given } from '../../../src/phong/mistakes/steps.js';
 
 const ALL: Task = { kinds: ['directional', 'point', 'spot'], terms: TERMS, reflection: 'phong' };
-const casesOf = (task: Task): Case[] => sheetOf(task, 120).map(({ given }) => [given]);
+const casesOf = (task: Task) => sheetOf(task, 120).map(({ given }) => [given]);
 const phong = casesOf(ALL);
 const blinn = casesOf({ ...ALL, reflection: 'blinn-phong' });
-const sheetFor = (id: string): Case[] => (id === 'phong-for-blinn' ? blinn : phong);
+const sheetFor = (id: string) => (id === 'phong-for-blinn' ? blinn : phong);
 
 function resultOf<Result>(work: Work<Result>) {
   for (;;) {
@@ -34,7 +34,7 @@ const compare = (...given: Parameters<typeof comparing>) => resultOf(comparing(.
 const mistakesIn = (judged: readonly Judged[]) => resultOf(naming(judged));
 
 /** Colours by a function, with the noise of float32 in another order. */
-const colorsOf = (cases: readonly Case[], of: (at: Case) => Vec3): Float32Array =>
+const colorsOf = (cases: readonly Case[], of: (at: Case) => Vec3) =>
   Float32Array.from(
     cases.flatMap((at, i) =>
       of(at).map((x, k) => x * (1 + 3e-6 * Math.sin(7 * i + k)) + 1e-9 * Math.cos(i)),

@@ -15,14 +15,14 @@ beforeEach(() => {
 });
 
 /** Rows that all differ, each float from the next. */
-const packed = (rows: number, first = 1): PackedLights => ({
+const packed = (rows: number, first = 1) => ({
   ...emptyPack(),
   data: Float32Array.from({ length: rows * 4 + 8 }, (_, i) => first + i),
   rows,
 });
 
 /** Packs into the buffer. */
-function write(buffer: LightBuffer, next: PackedLights): void {
+function write(buffer: LightBuffer, next: PackedLights) {
   Object.assign(buffer.packed, next);
   buffer.changed();
 }
@@ -46,7 +46,7 @@ describe('the texture', () => {
     expect(gpu.sampling.get('wrap t')).toBe('clamp');
   });
 
-  it.each<[string, number[], object]>([
+  it.each([
     ['one float', [4 * 5 + 2], { x: 5, y: 0, width: 1, height: 1 }],
     ['two rows and what lies between', [4 * 5, 4 * 9 + 3], { x: 5, y: 0, width: 5, height: 1 }],
     ['the last row of a line', [4 * (WIDTH - 1)], { x: WIDTH - 1, y: 0, width: 1, height: 1 }],

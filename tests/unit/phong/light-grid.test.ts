@@ -137,7 +137,7 @@ function cornerCase(
   size: Vec3,
   step: Vec3,
   pad: number,
-): { readonly lamp: LightValues; readonly at: Vec3; readonly p: Vec3 } {
+) {
   const corner = [box[0], box[1], box[2]];
   for (const k of [u, v]) {
     corner[k]! += step[k]! * Math.floor(random.from(0.45, 0.55) * size[k]!);
@@ -329,7 +329,7 @@ describe('a grid is made where it pays', () => {
   const above = (count: number, height: number, aperture: number) =>
     spotsOver(FLOOR, count, random, { position: [0, height, 0, 1], axis: DOWN, aperture });
 
-  it.each<[string, readonly LightValues[], boolean]>([
+  it.each([
     ['too few spots', spots(LEAST_DIVIDED - 1), false],
     ['as many as it takes', spots(LEAST_DIVIDED), true],
     ['too few and a sun', [...spots(LEAST_DIVIDED - 1), ...suns(1)], false],

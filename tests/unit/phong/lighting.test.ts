@@ -25,7 +25,7 @@ const frameAt = (origin: ShadingFrame['origin'], turn: number): ShadingFrame => 
   back: [Math.sin(turn), 0, Math.cos(turn)],
 });
 
-function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
+function packedBy(lighting: PhongLighting, { frame, linear }: Picture) {
   lighting.linear = linear;
   lighting.updateFrame(frame);
   const { data, rows, active, sent, counts, features } = lighting.packing.buffer.packed;

@@ -26,7 +26,7 @@ const through = (model: Matrix4, normal: Vec3) =>
 
 const angles = triple(between(-4, 4));
 const factor = fc.oneof(between(0.01, 100), between(-100, -0.01));
-const near = (a: Vector3, b: Vector3): void => {
+const near = (a: Vector3, b: Vector3) => {
   expect(a.distanceTo(b)).toBeLessThan(1e-9);
 };
 

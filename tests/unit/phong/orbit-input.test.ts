@@ -16,22 +16,22 @@ class FakeSurface extends EventTarget {
   readonly captured = new Set<number>();
   readonly ownerDocument = { defaultView: new EventTarget() };
   focused = false;
-  focus(): void {
+  focus() {
     this.focused = true;
   }
   getRootNode() {
     return { activeElement: this.focused ? this : null };
   }
-  contains(other: unknown): boolean {
+  contains(other: unknown) {
     return other === this;
   }
-  setPointerCapture(id: number): void {
+  setPointerCapture(id: number) {
     this.captured.add(id);
   }
-  hasPointerCapture(id: number): boolean {
+  hasPointerCapture(id: number) {
     return this.captured.has(id);
   }
-  releasePointerCapture(id: number): void {
+  releasePointerCapture(id: number) {
     this.captured.delete(id);
   }
 }
@@ -401,7 +401,7 @@ function randomSetUp() {
   Object.assign(hand.surface.ownerDocument, { defaultView: null });
   const pointer = (type: string, place: Place, more: object = {}) =>
     fire(type, { ...MOUSE, ...place, ...more });
-  const anyPlace = (): Place => ({ clientX: from(-3000, 3000), clientY: from(-3000, 3000) });
+  const anyPlace = () => ({ clientX: from(-3000, 3000), clientY: from(-3000, 3000) });
   const anyPose = (): Pose => ({
     theta: from(-1000, 1000),
     phi: from(0, 180),
@@ -435,7 +435,7 @@ function randomSetUp() {
 describe(`a drag that ends where it began (seed ${SEED})`, () => {
   it('leaves no trace with two fingers, which shift and pinch', () => {
     const { orbit, pointer, anyPlace, random, wander, expectNoTrace } = randomSetUp();
-    const finger = (pointerId: number): object => ({ pointerType: 'touch', pointerId });
+    const finger = (pointerId: number) => ({ pointerType: 'touch', pointerId });
     const drag = () => {
       const { pose } = orbit;
       const starts = [anyPlace(), anyPlace()];

@@ -7,12 +7,7 @@ import { kindOf } from '../../../src/phong/light/light-features.js';
 import { coneLimit, LIMIT_OPEN } from '../../../src/phong/light/precision.js';
 import { HEADER } from '../../../src/phong/light/light-layout.js';
 import { KINDS, type LightValues } from '../../../src/phong/light/light-state.js';
-import {
-  emptyPack,
-  packLights,
-  type PackSpace,
-  selectLights,
-} from '../../../src/phong/light/pack-lights.js';
+import { emptyPack, packLights, selectLights } from '../../../src/phong/light/pack-lights.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { negate, normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { coefficientsOf, shade } from '../../../src/phong/reference/equation.js';
@@ -220,7 +215,7 @@ const spaceOf = (
   origin: Vec3,
   eye: Vec3,
   linear: boolean,
-): PackSpace => ({
+) => ({
   worldToShading: translation(negate(origin)),
   cameraToShading: [...x, 0, ...y, 0, ...z, 0, ...subtract(eye, origin), 1],
   linear,

@@ -78,7 +78,7 @@ describe('another program', () => {
     }
   });
 
-  it.each<[string, Partial<ConstructorParameters<typeof FakeRenderer>[0]>, number, number]>([
+  it.each([
     ['16 lights in software', { name: 'llvmpipe' }, 16, 1],
     ['17 lights in software', { name: 'Google SwiftShader' }, 17, 0],
     ['16 lights on a GPU', {}, 16, 1],

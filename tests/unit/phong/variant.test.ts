@@ -24,7 +24,7 @@ type Difference = Partial<
   BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>
 >;
 
-const materialOf = (difference: Difference = {}): MaterialFeatures => ({
+const materialOf = (difference: Difference = {}) => ({
   look: { ...PLAIN_LOOK, ...difference },
   style: { ...DEFAULT_STYLE, ...difference },
   linear: false,
@@ -32,7 +32,7 @@ const materialOf = (difference: Difference = {}): MaterialFeatures => ({
   ...difference,
 });
 
-const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
+const texture = (channel = 0) => Object.assign(new Texture(), { channel });
 
 const generalKey = (lights: readonly LightValues[], material: Difference = {}) =>
   generalVariant(materialOf(material), declaredFeatures(lights), 0).key;

@@ -123,7 +123,7 @@ describe('the budget of triangles', () => {
     expect(budget.used).toBe(0);
   });
 
-  it.each<[keyof Claims, number]>([
+  it.each([
     ['bytes', LIMITS.bytes],
     ['text', LIMITS.text],
     ['json', LIMITS.json],

@@ -12,7 +12,7 @@ import { meshTitle } from '../../../src/extras/panel/mesh-title.js';
 import { phrase } from '../../../src/viewer/element/fields/texts.js';
 import { LightState, type LightValues } from '../../../src/phong/light/light-state.js';
 
-const light = (values: Partial<LightValues> = {}): LightValues => new LightState(values).values;
+const light = (values: Partial<LightValues> = {}) => new LightState(values).values;
 
 test.each([
   [30, 70, 4, 'Camera: azimuth 30°, polar angle 70°, distance 4.'],

@@ -127,7 +127,7 @@ describe('sizes', () => {
  * Edges of one triangle only, and edges that other triangles meet than one on each side. Positions
  * are compared exactly.
  */
-function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly odd: number } {
+function edgesOf(geometry: BufferGeometry) {
   const edges = new Map<string, number>();
   // Adding 0 makes -0 equal to 0.
   const key = (p: Vec3) => p.map((v) => v + 0).join();

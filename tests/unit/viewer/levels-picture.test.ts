@@ -123,13 +123,13 @@ it.each(CASES)(
     const [round, drawn] = [await built(name, MANY[name], false), await built(name, level, true)];
     for (const shininess of [32, 200]) {
       const [truth, picture] = [tracer(round, shininess), tracer(drawn, shininess)];
-      const colorOf = (of: Tracer, x: number, y: number): readonly number[] => {
+      const colorOf = (of: Tracer, x: number, y: number) => {
         const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
         of.sampleAt(x, y, sample);
         return sample.color;
       };
       /** Null where nothing is met. */
-      const hitAt = (x: number, y: number): { readonly t: number; readonly N: Vec3 } | null => {
+      const hitAt = (x: number, y: number) => {
         const { t, normal } = truth.hitAt(x, y);
         return t === Infinity ? null : { t, N: normalize(normal) };
       };

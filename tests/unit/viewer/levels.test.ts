@@ -122,7 +122,7 @@ describe('the number of segments that a shape needs', () => {
   }
 
   /** Spheres between the middle of a view and its right edge, or its corner. */
-  function* spheres(distances: readonly number[]): Generator<Seen> {
+  function* spheres(distances: readonly number[]) {
     for (const fov of [10, 45, 120, 150, 170]) {
       for (const distance of distances) {
         const view = viewFrom(distance, fov);

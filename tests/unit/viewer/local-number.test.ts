@@ -5,7 +5,7 @@ import { readyTexts } from '../../support/texts.js';
 
 const de = readyTexts('de');
 
-const inLanguage = (lang: string): void => {
+const inLanguage = (lang: string) => {
   vi.stubGlobal('document', { documentElement: { lang } });
 };
 

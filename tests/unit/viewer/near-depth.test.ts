@@ -79,7 +79,7 @@ const FRONT: Pose = { theta: 0, phi: 90, radius: 3, target: [0, 0, 0] };
 /** Distance of the view's lower edge from its middle, at depth 1. */
 const LOW = Math.tan(Math.PI / 8);
 
-const plain = (geometry: BufferGeometry, z = 0): Mesh => {
+const plain = (geometry: BufferGeometry, z = 0) => {
   const mesh = new Mesh(geometry, new MeshBasicMaterial());
   mesh.position.z = z;
   return mesh;

@@ -5,7 +5,7 @@ import { runInNewContext } from 'node:vm';
 import { expect, it } from 'vitest';
 import { Shared } from '../../../src/viewer/model/shared.js';
 
-const make = (): object => ({});
+const make = () => ({});
 
 it('a forgotten value keeps its users, and takes nothing from the one after it', () => {
   const shared = new Shared<object>();

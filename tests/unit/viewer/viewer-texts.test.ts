@@ -60,7 +60,7 @@ it("a viewer's texts are a frozen copy, null for none, and replace others even b
   expect(phrase(copy, 'light {number}', { number: '3' })).toBe('light 3');
 });
 
-const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
+const bracesOf = (text: string) => (text.match(/\{\w+\}/g) ?? []).sort();
 
 describe('the ready sets', () => {
   const sets = Object.fromEntries(LANGUAGES.map((language) => [language, readyTexts(language)]));
