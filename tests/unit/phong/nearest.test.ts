@@ -54,14 +54,6 @@ function distance(a: string, b: string) {
 }
 
 describe('the nearest word', () => {
-  it('is one of those that are near enough, if any', () => {
-    const words = ['shading', 'diffuse', 'position', 'scale', 'ka', 'kd', 'src', 'fov', 'radius'];
-    expect(nearest('poistoin', words)).toBe('position');
-    expect(nearest('scael', words)).toBe('scale');
-    for (const far of ['', 'light', 'srcset', 'x'.repeat(1e6)]) {
-      expect(nearest(far, words)).toBeUndefined();
-    }
-  });
 
   it('is the one with fewer edits, whatever the order', () => {
     expect(nearest('ambien', ['ambit', 'ambient'])).toBe('ambient');
