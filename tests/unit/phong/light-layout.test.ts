@@ -46,14 +46,6 @@ it('the defines of the layout name each thing once, ints for whole numbers and f
   expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
 });
 
-it.each(KINDS)('no two values of a %s light share a float', (kind) => {
-  const floats = PACKED_VALUES[kind].flatMap(({ as, at }) => {
-    if (as === 'numbers') return [at, at + 4, at + 8];
-    return typeof as === 'string' ? [at, at + 1, at + 2] : [at];
-  });
-  expect(new Set(floats).size).toBe(floats.length);
-});
-
 describe('the loop over the lights', () => {
   const shaders = readdirSync('shaders')
     .map((name) => readFileSync(`shaders/${name}`, 'utf8'))

@@ -54,7 +54,6 @@ function distance(a: string, b: string) {
 }
 
 describe('the nearest word', () => {
-
   it('is the one with fewer edits, whatever the order', () => {
     expect(nearest('ambien', ['ambit', 'ambient'])).toBe('ambient');
     expect(nearest('torus-knt', ['torus', 'torus-knot'])).toBe('torus-knot');
