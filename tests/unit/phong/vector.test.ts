@@ -20,7 +20,7 @@ import { numbers, triple } from '../arbitraries.js';
 
 const A: Vec3 = [1, 2, 3];
 const B: Vec3 = [4, -5, 6];
-const anyVector = triple(numbers(-1e15, 1e15));
+const anyVector = triple(numbers(-1e308, 1e308));
 
 it('adds, subtracts, scales and multiplies by component; the cross product is right-handed', () => {
   expect(add(A, B)).toStrictEqual([5, -3, 9]);
@@ -65,19 +65,9 @@ it('has a length that neither overflows nor underflows in between', () => {
 });
 
 describe('normalizing', () => {
-  // 3e-320 and 4e-320 are themselves rounded to steps of 5e-324.
-  it.each<[string, Vec3, Vec3]>([
-    ['the smallest', [5e-324, 0, 0], [1, 0, 0]],
-    ['a denormal', [0, 3e-320, 4e-320], [0, 0.6, 0.8]],
-    ['a large', [0, -1e308, 0], [0, -1, 0]],
-    ['the largest', [1e308, 1e308, 1e308], [Math.sqrt(1 / 3), Math.sqrt(1 / 3), Math.sqrt(1 / 3)]],
-  ])('finds the direction of %s vector', (_, v, unit) => {
-    normalize(v).forEach((x, i) => expect(Math.abs(x - unit[i]!)).toBeLessThan(1e-4));
-    expect(Math.abs(length(normalize(v)) - 1)).toBeLessThan(4e-16);
-  });
-
   it('gives a unit vector for anything but zero, and zero for zero', () => {
     expect(normalize([0, 0, 0])).toStrictEqual([0, 0, 0]);
+    expect(normalize([0, 0, -5e-324])).toStrictEqual([0, 0, -1]);
     fc.assert(
       fc.property(anyVector, (v) => {
         fc.pre(v.some((x) => x !== 0));
