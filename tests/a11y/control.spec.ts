@@ -1,4 +1,4 @@
-// What does a screen reader find in controls? axe, in both forms, and in forced colours.
+// What does a screen reader find in the controls and probes of a lesson? axe, also in forced colours.
 
 import { expectNoFaults } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
@@ -16,16 +16,23 @@ const all = [
   of('for="v" attribute="terms"', 'terms of the sum'),
   of('for="v" attribute="terms" values="ambient | ambient diffuse"', 'the sum'),
 ];
+const probes = ['', 'as="formula"', 'as="ask"'].map(
+  (as) => `<phong-probe for="v" at="0.5 0 0" ${as}></phong-probe>`,
+);
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 
-test('controls have no fault that axe finds, in a text and alone, in forced colours too', async ({
+test('controls in a text and alone, and probes of every form, have no fault that axe finds', async ({
   page,
   mount,
 }) => {
   await mount(
-    `<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`,
+    `<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}${probes.join('')}</main>`,
     { css },
   );
+  const answer = page.locator('[as=ask]').getByRole('textbox').first();
+  await answer.fill('1');
+  await answer.press('Enter');
+  await expect(page.getByRole('status').first()).not.toHaveText('');
   await expect(page.getByRole('spinbutton', { name: 'aperture' })).toHaveCount(2);
   await expect(page.getByRole('group', { name: 'terms of the sum' })).toHaveCount(2);
   await expectNoFaults(page);

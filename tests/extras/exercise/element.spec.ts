@@ -78,10 +78,11 @@ test('says what is right in this picture only, and shows it under another light'
   await expect(page.getByRole('img', { name: 'The exact picture' })).toHaveCount(0);
 });
 
-test('hints say as much as they are asked to, and a solution comes after a right answer', async ({
+test('hints say as much as they are asked to, a solution comes after a right answer, and paper has all', async ({
   mount,
   page,
 }) => {
+  await page.setViewportSize({ width: 390, height: 800 });
   const source = WRONG_ONES['no-ambient']!['missing']!;
   await mount(lamp + exercise('hint="where" solution', source), { css });
   await runFirst(page);
@@ -103,6 +104,12 @@ test('hints say as much as they are asked to, and a solution comes after a right
   await textArea(page).fill(exact);
   await runFirst(page);
   await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.locator('.printed')).toBeVisible();
+  await expect(page.locator('.printed')).toHaveText(exact);
+  const solution = page.locator('details[open] pre');
+  expect(await solution.evaluate((pre) => pre.scrollWidth - pre.clientWidth)).toBe(0);
+  await expect(page.getByRole('button', { name: 'Run' })).toBeHidden();
 });
 
 test('is a control of a form: value, required, reset, disabled', async ({ mount, page }) => {
@@ -211,18 +218,6 @@ test('several on a page, by keyboard, under a strict policy, in Portuguese, on a
         viewer.before(viewer.cloneNode());
       }),
   );
-});
-
-test('on paper the function is all there', async ({ mount, page }) => {
-  await page.setViewportSize({ width: 390, height: 800 });
-  await mount(lamp + exercise('solution', RIGHT), { css });
-  await runFirst(page);
-  await page.emulateMedia({ media: 'print' });
-  await expect(page.locator('.printed')).toBeVisible();
-  await expect(page.locator('.printed')).toHaveText(RIGHT);
-  const solution = page.locator('details[open] pre');
-  expect(await solution.evaluate((pre) => pre.scrollWidth - pre.clientWidth)).toBe(0);
-  await expect(page.getByRole('button', { name: 'Run' })).toBeHidden();
 });
 
 test('a lost context and an exponent that is too high are said, and the next run is a new one', async ({
