@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import type { Drawn, Step } from '../glsl/page/core.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
-import { expect } from '../support/test.js';
+import { compare, expect, type Picture } from '../support/test.js';
 import { Dice, dimmed, randomLight } from './random-scene.js';
 
 export const SIZE = { width: 56, height: 42 };
@@ -37,17 +37,10 @@ export const drawCore = (page: Page, ...steps: readonly Step[]): Promise<Drawn[]
 
 /** Checks that two pictures differ by at most one code, on at most 0.02 % of the channels. */
 export function expectSame(a: Drawn, b: Drawn, message: string): void {
-  let max = 0;
-  let differing = 0;
-  a.codes.forEach((code, i) => {
-    const off = Math.abs(code - b.codes[i]!);
-    max = Math.max(max, off);
-    if (off > 0) {
-      differing += 1;
-    }
-  });
+  const picture = ({ codes }: Drawn): Picture => ({ ...SIZE, data: codes });
+  const { max, share } = compare(picture(a), picture(b));
   expect.soft(max, message).toBeLessThanOrEqual(1);
-  expect.soft(differing / a.codes.length, message).toBeLessThanOrEqual(2e-4);
+  expect.soft(share, message).toBeLessThanOrEqual(2e-4);
 }
 
 /** Channels that are neither dark nor full: only these can show a difference. */
