@@ -13,13 +13,8 @@ const lightings = [
 
 /** The brightest channel of every pixel that is covered entirely. */
 function tones({ data }: Picture): readonly number[] {
-  const found: number[] = [];
-  for (let i = 0; i < data.length; i += 4) {
-    if (data[i + 3] === 255) {
-      found.push(Math.max(data[i]!, data[i + 1]!, data[i + 2]!));
-    }
-  }
-  return found;
+  const whole = Array.from(data.keys()).filter((i) => i % 4 === 0 && data[i + 3] === 255);
+  return whole.map((i) => Math.max(...data.subarray(i, i + 3)));
 }
 
 const share = (all: readonly number[], which: (tone: number) => boolean) =>

@@ -6,7 +6,14 @@ import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
-import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
+import {
+  drawnWith,
+  glPrograms,
+  glSpent,
+  isSpecialised,
+  isLit,
+  logGl,
+} from '../element/support/gl-log.js';
 import { assign, settled, statsOf, htmlOf } from '../element/support/viewer.js';
 import { innerPixels } from './against-reference.js';
 import { lightWith } from '../stress/case.js';
@@ -143,8 +150,7 @@ const overFloor = (lights: readonly LightValues[], shading = 'phong'): DeclaredS
 async function usesGrid(page: Page) {
   await glSpent(page);
   await drawFrames(page, 1);
-  const drawn = await page.evaluate(() => window.glLog.drawnWith());
-  return drawn
+  return (await drawnWith(page))
     .filter(isLit)
     .every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
 }

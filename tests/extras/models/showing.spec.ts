@@ -20,38 +20,21 @@ const QUAD = '/fixtures/models/no-normals.glb';
 
 declare global {
   interface Window {
-    giveMemoryBack: () => void;
-    /** Ends the counting, and returns how many arrays there were. */
-    countArrays: () => number;
+    /** Ends the failures, and returns how many arrays there were. */
+    giveMemoryBack: () => number;
   }
 }
-
-/** Makes allocations of Float32Arrays with 10,000 elements or more fail. */
-const limitMemory = (page: Page) =>
-  page.evaluate(() => {
-    const original = window.Float32Array;
-    const limited = new Proxy(original, {
-      construct(target, [first, ...more]: unknown[], newTarget) {
-        const count = Array.isArray(first)
-          ? first.length
-          : Number(typeof first === 'number' && first);
-        if (count >= 10_000) throw new RangeError('Array buffer allocation failed');
-        return Reflect.construct(target, [first, ...more], newTarget) as object;
-      },
-    });
-    Object.assign(window, {
-      Float32Array: limited,
-      giveMemoryBack: () => Object.assign(window, { Float32Array: original }),
-    });
-  });
 
 const giveMemoryBack = (page: Page) => page.evaluate(() => window.giveMemoryBack());
 
 const shows = (viewer: ViewerLocator) => viewer.evaluate((element) => element.loaded);
 
-/** Makes the typed array with this number fail, counted from now on over all types. */
-const failArray = (page: Page, failing: number) =>
-  page.evaluate((nth) => {
+/**
+ * Makes the typed array with this number fail, counted from now on over all types, or those of
+ * 10,000 floats or more.
+ */
+const failArrays = (page: Page, failing: number | 'large') =>
+  page.evaluate((which) => {
     const scope = window as unknown as Record<string, unknown>;
     const types = [
       'Int8Array',
@@ -72,20 +55,27 @@ const failArray = (page: Page, failing: number) =>
     for (const [name, original] of originals) {
       const counted = new Proxy(original as typeof Float32Array, {
         construct(target, args: [unknown], newTarget) {
+          const [first] = args;
           // A view of a buffer takes no memory.
           const allocates = !(
-            args[0] instanceof (originals.get('ArrayBuffer') as typeof ArrayBuffer)
+            first instanceof (originals.get('ArrayBuffer') as typeof ArrayBuffer)
           );
           if (allocates) {
             count += 1;
           }
-          if (allocates && count === nth) throw new RangeError('Array buffer allocation failed');
+          const size = Array.isArray(first)
+            ? first.length
+            : Number(typeof first === 'number' && first);
+          const isLarge = name === 'Float32Array' && size >= 10_000;
+          if (which === 'large' ? isLarge : allocates && count === which) {
+            throw new RangeError('Array buffer allocation failed');
+          }
           return Reflect.construct(target, args, newTarget) as object;
         },
       });
       replace(name, counted);
     }
-    window.countArrays = () => {
+    window.giveMemoryBack = () => {
       for (const [name, original] of originals) {
         replace(name, original);
       }
@@ -107,10 +97,10 @@ test('a model is shown flat or ends in too-large, whichever of its typed arrays 
     await set(viewer, { src: '' });
     const before = await pixels(viewer);
     await events.take();
-    await failArray(page, failing);
+    await failArrays(page, failing);
     // A colour of its own: the material of the load before is not there to be shared.
     await set(viewer, { src: `${QUAD}?${failing}`, ka: [failing, 0, 0] });
-    const count = await page.evaluate(() => window.countArrays());
+    const count = await giveMemoryBack(page);
     const ends = await events.take();
     if (count < failing) {
       expect(ends).toMatchObject([{ type: 'load' }]);
@@ -176,7 +166,7 @@ test('a shape without memory is too-large, and the previous picture stays', asyn
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const before = await pixels(viewer);
   const events = await record(viewer, 'error');
-  await limitMemory(page);
+  await failArrays(page, 'large');
   for (const shape of [{ geometry: 'torus', segments: 512 }, { geometry: 'sphere' }]) {
     await set(viewer, shape);
     expect(await events.take()).toMatchObject([{ detail: { code: 'too-large' } }]);
@@ -198,7 +188,7 @@ test('a model that cannot be flattened keeps its shading, with one error', async
   const before = await pixels(viewer);
   const events = await record(viewer, 'error');
   const ofMesh = await record(page.locator('phong-mesh'), 'error');
-  await limitMemory(page);
+  await failArrays(page, 'large');
   await set(viewer, { shading: 'flat' });
   await page.locator('phong-mesh').evaluate((mesh: PhongMesh) => (mesh.name = 'still the bunny'));
   await settled(viewer);
