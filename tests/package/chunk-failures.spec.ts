@@ -7,6 +7,7 @@ import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { allReady, expect, test } from '../support/test.js';
+import { set, statsOf } from '../element/support/viewer.js';
 import { usages } from './requests.js';
 
 /** A shape, a method (and a pixel), or a model's address. */
@@ -98,21 +99,16 @@ for (const usage of ['standalone', 'modules'] as const) {
       [/\/panel/, [{ gui: true }, { gui: true }, { gui: true }], '.lil-root'],
       [/\/legend/, [{ view: 'normals' }, { view: 'decay' }], '.legend:has-text("Decay")'],
     ] as const) {
-      const show = (given: object) =>
-        viewer.evaluate(async (element: PhongViewer, all) => {
-          Object.assign(element, all);
-          await element.ready;
-          return element.stats.frames;
-        }, given);
       await page.route(chunk, (route) => route.abort());
       for (const given of values.slice(0, -1)) {
         const before = said.length;
-        expect(await show(given)).toBeGreaterThan(0);
+        await set(viewer, given);
+        expect((await statsOf(viewer)).frames).toBeGreaterThan(0);
         await expect.poll(() => said.length).toBeGreaterThan(before);
         await expect(viewer.locator(shown)).toHaveCount(0);
       }
       await page.unroute(chunk);
-      await show(values.at(-1)!);
+      await set(viewer, values.at(-1)!);
       await expect(viewer.locator(shown)).toBeVisible();
     }
   });

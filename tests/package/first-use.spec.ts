@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { type ViewerLocator, allReady, expect, test } from '../support/test.js';
-import { nextFrame } from '../element/support/viewer.js';
+import { drag, nextFrame, set as setOn } from '../element/support/viewer.js';
 import { chunkName, Requests, usages } from './requests.js';
 
 type Act = (viewer: ViewerLocator, page: Page) => Promise<unknown>;
@@ -11,10 +11,7 @@ type Act = (viewer: ViewerLocator, page: Page) => Promise<unknown>;
 const set =
   (values: Readonly<Record<string, string | number | boolean>>): Act =>
   (viewer) =>
-    viewer.evaluate(async (element, given) => {
-      Object.assign(element, given);
-      await element.ready;
-    }, values);
+    setOn(viewer, values);
 
 const explain =
   (x: number, y: number): Act =>
@@ -38,13 +35,6 @@ const readOnce: Act = (viewer) =>
   viewer.evaluate((element) => [element.toHTML(), element.camera, element.stats].length);
 
 const capture: Act = (viewer) => viewer.evaluate(async (element) => (await element.toBlob()).size);
-
-const drag: Act = async (_, page) => {
-  await page.mouse.move(75, 50);
-  await page.mouse.down();
-  await page.mouse.move(85, 55);
-  await page.mouse.up();
-};
 
 const addAfter =
   (markup: string): Act =>
@@ -76,7 +66,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a probe', set({ probe: true }), 'probe projection sum-table svg-layer'],
   ['helpers', set({ probe: false, helpers: 'lights' }), 'followed-drag helpers round-number'],
   ['none', set({ helpers: '' }), ''],
-  ['a drag', drag, ''],
+  ['a drag', (_, page) => drag(page, [75, 50], [10, 5]), ''],
   ['auto-rotate', set({ autoRotate: 5 }), ''],
   ['dropped files', set({ droppable: true }), 'drops'],
   ['a camera group', set({ cameraGroup: 'all' }), 'camera-group'],

@@ -3,8 +3,8 @@
 
 import { allReady, expect, test } from '../support/test.js';
 import { startSite, testMounts, wasmPolicy } from '../support/site.js';
+import { set } from '../element/support/viewer.js';
 import { usages } from './requests.js';
-import { requestsOf } from '../support/requests.js';
 
 const head = usages.standalone.head ?? '';
 
@@ -39,29 +39,10 @@ for (const [model, rows] of [
       await new Promise((resolve) => setTimeout(resolve, ANSWER));
       await route.continue();
     });
-    const viewer = page.locator('phong-viewer');
-    await viewer.evaluate(async (element, src) => {
-      Object.assign(element, { src });
-      await (element as unknown as { readonly ready: Promise<void> }).ready;
-    }, model);
+    await set(page.locator('phong-viewer'), { src: model });
     // Those of one row begin together, long before the first of them is answered.
     const starts = begun.filter((at, i) => i === 0 || at - begun[i - 1]! > ANSWER / 2);
     expect(begun.length).toBeGreaterThan(1);
     expect(starts).toHaveLength(rows);
-  });
-}
-
-for (const [where, markup] of [
-  ['the viewer', '<phong-viewer src="/fixtures/models/coloured.ply"></phong-viewer>'],
-  [
-    'a mesh',
-    '<phong-viewer><phong-mesh src="/fixtures/models/coloured.ply"></phong-mesh></phong-viewer>',
-  ],
-] as const) {
-  test(`a model that ${where} of the page names is requested once`, async ({ page }) => {
-    const asked = requestsOf(page);
-    await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
-    await allReady(page);
-    expect(asked.filter((path) => path.endsWith('.ply'))).toHaveLength(1);
   });
 }

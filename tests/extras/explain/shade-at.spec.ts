@@ -227,23 +227,6 @@ test.describe('shadeAt is null', () => {
     }
     expect(await explained(await mount('<phong-viewer></phong-viewer>', FLOOR), 50, 50)).toBeNull();
   });
-
-  test('where an own object of the page’s author is nearer', async ({ mount }) => {
-    const viewer = await mount(floor(LIGHTS), FLOOR);
-    const found = await viewer.evaluate(async (element) => {
-      const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
-      own.matrixAutoUpdate = true;
-      element.scene.add(own);
-      const at = async (height: number): Promise<string> => {
-        own.position.set(0, height, 0);
-        return (await element.shadeAt(50, 50)) === null ? 'null' : 'explained';
-      };
-      const results = [await at(1), await at(-1), await at(3.5)];
-      own.visible = false;
-      return [...results, await at(1)];
-    });
-    expect(found).toEqual(['null', 'explained', 'explained', 'explained']);
-  });
 });
 
 test('explains the scene at the time of the call, including earlier writes and no later ones', async ({
