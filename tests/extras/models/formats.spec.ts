@@ -166,7 +166,8 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
   same(await pixels(viewer), shown);
 });
 
-test('a model compressed by meshopt without WebAssembly is an error with its cure', async ({
+test('a model compressed by meshopt without WebAssembly is an error with the cure for authors, and for visitors', async ({
+  page,
   mount,
   consoleGuard,
 }) => {
@@ -176,21 +177,12 @@ test('a model compressed by meshopt without WebAssembly is an error with its cur
   await set(shown, { src: model('no-normals.glb') });
   same(await pixels(shown), picture);
   consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
-  const refused = await mount(viewerOf(source), size);
-  await expect(refused.locator('[part=notice]')).toContainText('compressed by meshopt');
-  await expect(refused.locator('[part=notice]')).not.toContainText('script-src');
-});
-
-test('visitors read what they can do about a file of their own, not what the author of the page can', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
-  const viewer = await mount(viewerOf('droppable'), size);
+  const refused = await mount(viewerOf(`droppable ${source}`), size);
+  const notice = refused.locator('[part=notice]');
+  await expect(notice).toContainText('compressed by meshopt');
+  await expect(notice).not.toContainText('script-src');
   await filesIn(page, ['meshopt.glb']);
-  expect((await drop(viewer)).detail.message).toContain("Add 'wasm-unsafe-eval' to script-src");
-  const notice = viewer.locator('[part=notice]');
+  expect((await drop(refused)).detail.message).toContain("Add 'wasm-unsafe-eval' to script-src");
   await expect(notice).toContainText('Save it without that compression (meshopt.glb).');
   await expect(notice).not.toContainText('script-src');
 });
@@ -228,7 +220,7 @@ test.describe('a droppable viewer', () => {
       type: 'load',
       detail: { url: 'file:///quads.obj', missing: ['beside/textures/four colours.png'] },
     });
-    expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
+    await expect(viewer).toHaveJSProperty('loaded', true);
   });
 
   test('names a broken file in a message until its button, Escape or the next file', async ({
@@ -317,7 +309,7 @@ test.describe('a droppable viewer', () => {
     await close.click();
     await expect.poll(() => sourceOf(viewer)).toBe(address);
     await settled(viewer);
-    expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
+    await expect(viewer).toHaveJSProperty('loaded', true);
     same(await pixels(viewer), before);
     expect(loads.filter((url) => url.endsWith(address))).toEqual([]); // it was shown all the time
 
@@ -380,6 +372,6 @@ test.describe('a droppable viewer', () => {
     );
     await dropFiles(viewer);
     await settled(viewer);
-    expect(await viewer.evaluate((element) => element.src)).toBe('');
+    await expect(viewer).toHaveJSProperty('src', '');
   });
 });

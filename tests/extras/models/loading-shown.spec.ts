@@ -142,7 +142,6 @@ test('the bar of an unknown size moves, except with reduced motion; paper shows 
   expect(await animations()).toBe(0);
   await page.emulateMedia({ media: 'print' });
   await expect(barOf(viewer)).toBeHidden();
-  await page.emulateMedia({ media: null, reducedMotion: null });
 });
 
 test('progress does not decrease when one of several loads ends', async ({ page, mount }) => {
@@ -245,7 +244,6 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   send!();
   await expect.poll(() => drawn.evaluate(([first]) => first)).toEqual([1, 4, 30]);
   await expect(viewer.locator('[part=poster]')).toHaveCount(0);
-  await page.unroute(code);
 });
 
 test('an image in the slot "poster" lies over the picture, beside the panel, until the first one, also in print', async ({
@@ -322,9 +320,8 @@ test('the button of the message repeats what failed, and keeps the focus', async
   await page.keyboard.press('Enter');
   await settled(viewer);
   await expect(retry).toHaveCount(0);
-  expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
-  expect(await page.evaluate(() => document.activeElement?.localName)).toBe('phong-viewer');
-  await page.emulateMedia({ media: null });
+  await expect(viewer).toHaveJSProperty('loaded', true);
+  await expect(viewer).toBeFocused();
 });
 
 test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
@@ -344,7 +341,7 @@ test('invalid `texts` throw, or give a warning if set before the upgrade', async
       }
     }, texts);
     expect(error, JSON.stringify(texts)).toMatch(/^TypeError: <phong-viewer>\.texts: expected/);
-    expect(await viewer.evaluate((element) => element.texts)).toEqual({
+    await expect(viewer).toHaveJSProperty('texts', {
       'Try again': 'Nochmal',
     });
   }
@@ -409,5 +406,4 @@ test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the pan
     [bar, bar.firstElementChild!].map((part) => getComputedStyle(part).backgroundColor),
   );
   expect(colors[0]).not.toBe(colors[1]);
-  await page.emulateMedia({ forcedColors: null });
 });

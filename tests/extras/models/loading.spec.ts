@@ -36,7 +36,7 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   ]);
 });
 
-test('a model that cannot be shown is an error with its code; the picture stays', async ({
+test('a model that cannot be shown is an error with its code, or the author’s own element; the picture stays', async ({
   mount,
   consoleGuard,
 }) => {
@@ -66,6 +66,11 @@ test('a model that cannot be shown is an error with its code; the picture stays'
     same(await pixels(viewer), before);
     expect(await events.take(), src).toMatchObject([{ type: 'load' }]);
   }
+  const own = '<b slot="error">No bunny today</b>';
+  await viewer.evaluate((element, html) => element.insertAdjacentHTML('beforeend', html), own);
+  await set(viewer, { src: model('truncated.glb') });
+  await expect(viewer.locator('b')).toBeVisible();
+  await expect(notice).toBeHidden();
 });
 test('messages repeat a part of long texts in files and addresses', async ({
   mount,
@@ -108,19 +113,6 @@ test('messages repeat a part of long texts in files and addresses', async ({
       expect(text, `source ${i}`).toContain('...');
     }
   }
-});
-
-test('an author’s own element in the slot error takes the place of the message', async ({
-  mount,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/error: Failed to load resource.*404/);
-  const viewer = await mount(
-    '<phong-viewer src="/none.glb"><b slot="error">No bunny today</b></phong-viewer>',
-    size,
-  );
-  await expect(viewer.locator('b')).toBeVisible();
-  await expect(viewer.locator('[part=notice]')).toBeHidden();
 });
 
 test('moving a viewer loads nothing again', async ({ page, mount }) => {

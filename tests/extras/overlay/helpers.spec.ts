@@ -153,7 +153,7 @@ test.describe('a light in the picture', () => {
     expect(await positionOf(viewer)).toEqual([1, 1, 1, 1]);
   });
 
-  test('stays under a resting pointer while something else turns the camera', async ({
+  test('stays under the pointer while something else turns the camera, and under CSS rotation and scale', async ({
     page,
     mount,
   }) => {
@@ -165,6 +165,12 @@ test.describe('a light in the picture', () => {
     expect(after.x).toBeCloseTo(x - 50, 0);
     expect(after.y).toBeCloseTo(y, 0);
     await page.mouse.up();
+    await viewer.evaluate(
+      ({ style }) => (style.transform = 'translate(50px, 60px) rotate(90deg) scale(0.5)'),
+    );
+    const moved = await dragged(page, handle(viewer, 'lamp'), 20, 30);
+    expect(moved[0]).toBeCloseTo(20, 0);
+    expect(moved[1]).toBeCloseTo(30, 0);
   });
 
   test('has the edge of its cone on the floor that it lights, and follows the floor', async ({
@@ -469,15 +475,6 @@ test.describe('a viewer with helpers', () => {
     await page.mouse.move(at.x, at.y);
     await page.mouse.wheel(0, 100);
     await expect.poll(async () => (await cameraOf(viewer)).radius).toBeGreaterThan(radius);
-  });
-
-  test('follows the pointer under CSS rotation and scale', async ({ page, mount }) => {
-    const viewer = await mount(scene(lamp), {
-      css: 'phong-viewer { transform: translate(50px, 60px) rotate(90deg) scale(0.5) }',
-    });
-    const [x, y] = await dragged(page, handle(viewer, 'lamp'), 20, 30);
-    expect(x).toBeCloseTo(20, 0);
-    expect(y).toBeCloseTo(30, 0);
   });
 
   test('moves the focus of a removed light to the next one, and then to the picture', async ({

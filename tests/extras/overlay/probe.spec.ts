@@ -8,6 +8,7 @@ import { countEverything, NOTHING, spentIn } from '../../element/support/countin
 import {
   assign,
   drag,
+  Fingers,
   nextFrame,
   type PhongViewer,
   pointerAway,
@@ -39,6 +40,10 @@ const colorAt = (viewer: ViewerLocator, x: number, y: number): Promise<readonly 
 const expected = async (viewer: ViewerLocator, x: number, y: number) =>
   (await colorAt(viewer, x, y)).map((c) => (255 * c).toFixed(0)).join(' ');
 
+/** The box has the codes of this place. */
+const expectShown = async (viewer: ViewerLocator, x: number, y: number) =>
+  expect(codes(viewer)).toHaveText(await expected(viewer, x, y));
+
 /** The middle of the cross-hair. */
 async function cursorPlace(viewer: ViewerLocator): Promise<readonly [x: number, y: number]> {
   const { x, width, y, height } = (await cursor(viewer).boundingBox())!;
@@ -60,11 +65,11 @@ test.describe('a mouse over a viewer with a probe', () => {
     await expect(box(viewer)).toBeVisible();
     expect(await codes(viewer).textContent()).toBe(await expected(viewer, 250, 150));
     await page.mouse.move(330.5, 260);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 330.5, 260));
+    await expectShown(viewer, 330.5, 260);
     const before = await codes(viewer).textContent();
     await assign(viewer.locator('phong-light').first(), { diffuse: [10, 200, 10] });
     await expect(codes(viewer)).not.toHaveText(before!);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 330.5, 260));
+    await expectShown(viewer, 330.5, 260);
     await viewer.evaluate((element) => element.lights[0]!.remove());
     await expect(box(viewer).locator('tbody tr')).toHaveCount(1);
     await page.mouse.move(5, 5);
@@ -72,7 +77,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     expect(await labels(viewer)).toEqual([]);
   });
 
-  test('gets a table of the active lights, with their terms in columns', async ({
+  test('gets a table of the active lights’ terms, and sees N, V, an L for each, and R of the one that adds most', async ({
     page,
     mount,
   }) => {
@@ -94,14 +99,6 @@ test.describe('a mouse over a viewer with a probe', () => {
       att.toFixed(2),
       '1',
     ]);
-  });
-
-  test('sees N, V, an L for each active light, and R of the one that adds most', async ({
-    page,
-    mount,
-  }) => {
-    const viewer = await mount(scene());
-    await page.mouse.move(280, 130);
     await expect
       .poll(async () => (await labels(viewer)).sort().join())
       .toMatch(/^[\d.]+°,L lamp,L sun,N,R ∠V [\d.]+°,V$/);
@@ -126,7 +123,7 @@ test.describe('a click', () => {
     const [before] = await cursorPlace(viewer);
     await assign(viewer, { theta: 20 });
     await expect.poll(async () => (await cursorPlace(viewer))[0]).toBeLessThan(before - 20);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, ...(await cursorPlace(viewer))));
+    await expectShown(viewer, ...(await cursorPlace(viewer)));
     await escape(page);
     await expect(box(viewer)).toBeHidden();
     await page.mouse.move(321, 220);
@@ -149,7 +146,7 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('elsewhere moves the pin; beside the shape or on its button removes it', async ({
+  test('elsewhere moves the pin; beside the shape or on its button removes it; so does a tap', async ({
     page,
     mount,
   }) => {
@@ -160,12 +157,22 @@ test.describe('a click', () => {
     expect((await cameraOf(viewer)).theta).not.toBe(0);
     await page.mouse.click(280, 130);
     await page.mouse.click(330, 150);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
+    await expectShown(viewer, 330, 150);
     await page.mouse.click(5, 5);
     await expect(box(viewer)).toBeHidden();
     await page.mouse.click(280, 130);
     await unpin(viewer).click();
     await expect(box(viewer)).not.toHaveClass(/pinned/);
+    const fingers = await Fingers.on(page);
+    const tap = async (x: number, y: number) => {
+      await fingers.down([x, y]);
+      await fingers.up();
+    };
+    await tap(330, 150);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expectShown(viewer, 330, 150);
+    await tap(5, 5);
+    await expect(box(viewer)).toBeHidden();
   });
 });
 
@@ -175,19 +182,19 @@ test.describe('`probe-at`', () => {
     mount,
   }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expectShown(viewer, 300, 200);
     await expect(box(viewer)).toHaveClass(/pinned/);
     await page.mouse.move(350, 150);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 350, 150));
+    await expectShown(viewer, 350, 150);
     await expect(box(viewer)).not.toHaveClass(/pinned/);
     await page.mouse.move(5, 5);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expectShown(viewer, 300, 200);
     await expect(unpin(viewer)).toBeHidden();
     await viewer.evaluate((element) => element.setAttribute('probe-at', '0 0.25 0.4330127'));
     await expect(codes(viewer)).not.toHaveText(await expected(viewer, 300, 200));
     const [x, y] = await cursorPlace(viewer);
     expect(x).toBeCloseTo(300, 0);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, y));
+    await expectShown(viewer, 300, y);
     await viewer.evaluate((element) => element.removeAttribute('probe-at'));
     await expect(box(viewer)).toBeHidden();
   });
@@ -197,7 +204,7 @@ test.describe('`probe-at`', () => {
     await expect(box(viewer)).toHaveText(/Another surface hides the point\./);
     expect(await labels(viewer)).toEqual([]);
     await assign(viewer, { theta: 180 });
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expectShown(viewer, 300, 200);
     await assign(viewer, { probeAt: [2, 0.5, 0] });
     await expect(box(viewer)).toHaveText(/The point is outside the picture\./);
     await assign(viewer, { probeAt: [0, 0, 9], theta: 0 }); // behind the eye
@@ -213,13 +220,24 @@ test.describe('`probe-at`', () => {
     await expect(codes(floor)).toHaveText(/^\d/);
   });
 
-  test('is not changed by a click, and Escape returns to it', async ({ page, mount }) => {
+  test('is not changed by a click, and Escape returns to it; toHTML writes it, or the pin of the user', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     const declared = await expected(viewer, 300, 200);
     await expect(codes(viewer)).toHaveText(declared);
+    const html = () => htmlOf(viewer);
+    const pointIn = (markup: string) => /probe-at="([^"]*)"/.exec(markup)?.[1];
+    expect(pointIn(await html())).toBe('0 0 0.5');
     await page.mouse.click(330, 150);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
-    expect(await viewer.evaluate((element) => element.probeAt)).toEqual([0, 0, 0.5]);
+    await expectShown(viewer, 330, 150);
+    const shown = await codes(viewer).textContent();
+    const p = await viewer.evaluate(async (element) => (await element.shadeAt(330, 150))!.p);
+    const written = await html();
+    const numbers = pointIn(written)!.split(' ').map(Number);
+    p.forEach((x, i) => expect(numbers[i]).toBeCloseTo(x, 6));
+    await expect(viewer).toHaveJSProperty('probeAt', [0, 0, 0.5]);
     expect(await viewer.getAttribute('probe-at')).toBe('0 0 0.5');
     await escape(page);
     await expect(codes(viewer)).toHaveText(declared);
@@ -232,26 +250,11 @@ test.describe('`probe-at`', () => {
     ).toBeHidden();
     await expect(box(viewer)).toHaveClass(/pinned/);
     await expect(codes(viewer)).not.toHaveText(declared);
-  });
-
-  test('is written by toHTML, as is a pin of the user, which the markup pins again', async ({
-    page,
-    mount,
-  }) => {
-    const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
-    const html = () => htmlOf(viewer);
-    const pointIn = (markup: string) => /probe-at="([^"]*)"/.exec(markup)?.[1];
-    expect(pointIn(await html())).toBe('0 0 0.5');
     await page.mouse.click(330, 150);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
-    const shown = await codes(viewer).textContent();
-    const p = await viewer.evaluate(async (element) => (await element.shadeAt(330, 150))!.p);
-    const written = await html();
-    const numbers = pointIn(written)!.split(' ').map(Number);
-    p.forEach((x, i) => expect(numbers[i]).toBeCloseTo(x, 6));
+    await expect(unpin(viewer)).toBeVisible();
     await assign(viewer, { probe: false });
     expect(pointIn(await html()), 'without a probe nothing is pinned but what is declared').toBe(
-      '0 0 0.5',
+      '0 0.25 0.4330127',
     );
     await mount(written);
     await expect(codes(viewer)).toHaveText(shown!);
@@ -268,15 +271,15 @@ test.describe('the cross-hair', () => {
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
     await expect(cursor(viewer)).toBeFocused();
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expectShown(viewer, 300, 200);
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('Shift+ArrowUp');
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 301, 190));
+    await expectShown(viewer, 301, 190);
     await expect(box(viewer)).not.toHaveClass(/pinned/);
     await page.keyboard.press('Enter');
     await expect(box(viewer)).toHaveClass(/pinned/);
     await page.keyboard.press('ArrowLeft');
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 190));
+    await expectShown(viewer, 300, 190);
     await expect(box(viewer)).not.toHaveClass(/pinned/);
     expect((await cameraOf(viewer)).theta, 'the camera stays').toBe(0);
     for (let i = 0; i < 45; i++) {
@@ -320,19 +323,6 @@ test.describe('the cross-hair', () => {
   });
 });
 
-test.describe('under a finger', () => {
-  test.use({ hasTouch: true });
-
-  test('a tap pins, and a tap beside the shape removes the pin', async ({ page, mount }) => {
-    const viewer = await mount(scene());
-    await page.touchscreen.tap(280, 130);
-    await expect(box(viewer)).toHaveClass(/pinned/);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
-    await page.touchscreen.tap(5, 5);
-    await expect(box(viewer)).toBeHidden();
-  });
-});
-
 test.describe('the box', () => {
   test('never covers the point, at any size', async ({ page, mount }) => {
     for (const [width, height] of [
@@ -355,7 +345,7 @@ test.describe('the box', () => {
         expect([isBeside, isInside], `${width}: ${down}`).toEqual([true, true]);
         // Small ones show the colour alone.
         expect(await box(viewer).getByRole('table').isVisible()).toBe(height > 150);
-        await expect(codes(viewer)).toHaveText(await expected(viewer, x, y));
+        await expectShown(viewer, x, y);
       }
     }
   });
@@ -449,7 +439,7 @@ test.describe('the box', () => {
     await expect(box(viewer)).toHaveText(/Gouraud: the terms are those of the triangle’s corners/);
     await assign(viewer, { shading: 'flat' });
     await expect(box(viewer)).not.toHaveText(/Gouraud/);
-    await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
+    await expectShown(viewer, 280, 130);
     await assign(viewer, { colorInterpolation: 'linear' });
     await expect(box(viewer).getByRole('rowheader')).toHaveText([
       /^sun/,

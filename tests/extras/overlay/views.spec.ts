@@ -111,35 +111,37 @@ test('follows lights that are renamed, switched off, added and removed', async (
     await assign(lamp, values);
     await settled(viewer);
   };
-  expect(await legendText(viewer)).toContain('lamp');
+  const expectLegend = async (text: string) => expect(await legendText(viewer)).toContain(text);
+  const middle = async () => pixelAt(await pixels(viewer), 150, 120);
+  await expectLegend('lamp');
   await write({ active: false });
-  expect(await legendText(viewer)).toContain('lamp (not active)');
-  expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
+  await expectLegend('lamp (not active)');
+  expect(await middle()).toEqual([0, 0, 0, 255]);
   await write({ active: true });
-  expect(pixelAt(await pixels(viewer), 150, 120)[0]).toBeGreaterThan(50);
+  expect((await middle())[0]).toBeGreaterThan(50);
   await write({ name: 'other' });
-  expect(await legendText(viewer)).toContain('no light has the name lamp');
+  await expectLegend('no light has the name lamp');
   await write({ name: 'lamp' });
-  expect(await legendText(viewer)).toContain('lamp');
+  await expectLegend('lamp');
   // A name by the page's texts, which come later.
   await write({ name: '' });
   await set(viewer, { viewLight: 'lamp2' });
   await set(viewer, { texts: { 'light {number}': 'lamp{number}' } });
-  expect(pixelAt(await pixels(viewer), 150, 120)[0]).toBeGreaterThan(50);
+  expect((await middle())[0]).toBeGreaterThan(50);
   await set(viewer, { texts: null, viewLight: 'lamp' });
   await lamp.evaluate((light) => light.remove());
   await settled(viewer);
-  expect(await legendText(viewer)).toContain('no light has the name lamp');
+  await expectLegend('no light has the name lamp');
   // Without a name it is the first active light.
   await set(viewer, { viewLight: null });
-  expect(await legendText(viewer)).toContain('sun');
+  await expectLegend('sun');
   await viewer.evaluate((element) => element.lights.forEach((one) => (one.active = false)));
   await settled(viewer);
-  expect(await legendText(viewer)).toContain('no light is active');
-  expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
+  await expectLegend('no light is active');
+  expect(await middle()).toEqual([0, 0, 0, 255]);
   await viewer.evaluate((element) => element.replaceChildren());
   await settled(viewer);
-  expect(await legendText(viewer)).toContain('head-light');
+  await expectLegend('head-light');
 });
 
 test('a view is compiled once, however often it is chosen', async ({ page, mount }) => {

@@ -44,10 +44,7 @@ const lamp = (viewer: ViewerLocator): Promise<Pick<PhongLight, 'diffuse' | 'posi
 async function dragAcross(page: Page, control: Locator, pixels: number) {
   await control.scrollIntoViewIfNeeded();
   const { x, y, width } = (await control.boundingBox())!;
-  await page.mouse.move(x + width / 2, y + 8);
-  await page.mouse.down();
-  await page.mouse.move(x + width / 2 + pixels, y + 8, { steps: 6 });
-  await page.mouse.up();
+  await drag(page, [x + width / 2, y + 8], [pixels, 0], { steps: 6 });
 }
 
 test.describe('undo', () => {
@@ -131,7 +128,7 @@ test.describe('undo', () => {
     await undo(viewer);
     await undo(viewer);
     expect(await cameraOf(viewer)).toEqual(dragged);
-    expect(await viewer.evaluate(({ theta }) => theta)).toBe(20);
+    await expect(viewer).toHaveJSProperty('theta', 20);
   });
 
   test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, not in text fields', async ({

@@ -8,12 +8,23 @@ import { countEverything, spentIn } from '../../element/support/counting.js';
 import {
   assign,
   cameraOf,
+  drag,
   htmlOf,
   nextFrame,
   type PhongViewer,
   record,
 } from '../../element/support/viewer.js';
-import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
+import {
+  button,
+  field,
+  folderOf,
+  listOf,
+  opened,
+  panelOf,
+  slider,
+  titleOf,
+  titlesIn,
+} from './panel-rows.js';
 
 const light = (name: string) => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
 const scene = (attributes = 'gui', ...lights: readonly string[]) =>
@@ -133,10 +144,7 @@ test('never rotates or zooms the camera by input on the panel', async ({ page, m
   // On a title, a label, a slider, a field, and beside everything.
   for (const y of [15, 50, 150, 260]) {
     for (const x of [20, 150, 240]) {
-      await page.mouse.move(panel.x + x, panel.y + y);
-      await page.mouse.down();
-      await page.mouse.move(panel.x - 150, panel.y + y + 60, { steps: 3 });
-      await page.mouse.up();
+      await drag(page, [panel.x + x, panel.y + y], [-150 - x, 60]);
       await page.mouse.move(panel.x + x, panel.y + y);
       await page.mouse.wheel(0, 50);
     }
@@ -309,28 +317,20 @@ test('shows the viewer in full screen, and back by the button or Escape, if brow
   await expect(panelOf(viewer).getByRole('button', { name: 'Full screen' })).toHaveCount(0);
 });
 
-const lit = `<phong-viewer gui geometry="box">
-  <phong-light name="sun" position="1 2 1 0"></phong-light>
-  <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
-</phong-viewer>`;
-
-test('requests no frame and no timer while nothing changes, folders open', async ({
+test('requests no frame and no timer while nothing changes, and refreshes once for many writes', async ({
   page,
   mount,
 }) => {
   await countEverything(page);
-  const viewer = await mount(lit);
+  const viewer = await mount(`<phong-viewer gui geometry="box">
+    <phong-light name="sun" position="1 2 1 0"></phong-light>
+    <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light></phong-viewer>`);
   for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Show', 'Material']) {
     await opened(viewer, title);
   }
   await page.mouse.move(10, 390);
   await spentIn(page, 300);
   expect(await spentIn(page, 1000)).toMatchObject({ frames: 0, timers: 0, idleCallbacks: 0 });
-});
-
-test('refreshes once for many writes in one task', async ({ mount }) => {
-  const viewer = await mount(lit);
-  const folder = await opened(viewer, 'sun');
   const reads = await viewer.evaluate(async (element) => {
     const light = element.lights[0]!;
     const place = element.shadowRoot!.querySelector('.lil-root')!;
@@ -350,5 +350,5 @@ test('refreshes once for many writes in one task', async ({ mount }) => {
     return changes;
   });
   expect(reads).toBe(3);
-  await expect(field(folder, 'diffuse')).toHaveValue('99 0 0');
+  await expect(field(folderOf(viewer, 'sun'), 'diffuse')).toHaveValue('99 0 0');
 });

@@ -7,7 +7,7 @@ import type { PhongViewer } from '../../element/support/viewer.js';
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
 import { type ViewerLocator, test } from '../../support/test.js';
-import { assign } from '../../element/support/viewer.js';
+import { assign, statsOf } from '../../element/support/viewer.js';
 
 const SIZE = { width: fullOr(105, 54), height: fullOr(70, 36) };
 /** A pixel inside a face of a box. */
@@ -195,15 +195,15 @@ test.describe('toShowTheEquation', () => {
   test('names what it gets instead of a viewer', async ({ mount, page, site }) => {
     const viewer = await mount('<main><phong-viewer></phong-viewer></main><p></p>', SIZE);
     const advice = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
-    expect(await refusal(page as unknown as Locator)).toContain(`${advice}, got a Page`);
-    expect(await refusal(undefined as unknown as Locator)).toContain(`${advice}, got undefined`);
-    expect(await refusal(page.locator('main'))).toContain(
-      `${advice}: locator('main') is a <main> with 1 inside`,
-    );
-    expect(await refusal(page.locator('p'))).toContain('is a <p> with no viewer inside');
-    expect(await refusal(page.locator('#no'), { timeout: 100 })).toContain(
-      `no element matches locator('#no') after 100 ms`,
-    );
+    for (const [target, words] of [
+      [page, `${advice}, got a Page`],
+      [undefined, `${advice}, got undefined`],
+      [page.locator('main'), `${advice}: locator('main') is a <main> with 1 inside`],
+      [page.locator('p'), 'is a <p> with no viewer inside'],
+      [page.locator('#no'), `no element matches locator('#no') after 100 ms`],
+    ] as const) {
+      expect(await refusal(target as ViewerLocator, { timeout: 100 })).toContain(words);
+    }
     await viewer.evaluate((element) => element.after(element.cloneNode()));
     expect(await refusal(page.locator('phong-viewer'))).toContain('resolved to 2 elements');
     await page.goto(site.page('<phong-viewer></phong-viewer>'));
@@ -258,13 +258,15 @@ test.describe('toShowTheEquation', () => {
       /^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/,
     );
     await assign(tiny, { target: [9, 9, 9] });
-    expect(await refusal(tiny, { share: 0 })).toContain('The picture shows no surface.');
-    expect(await refusal(tiny, { codes: 0.5 })).toContain('codes must be a whole number');
-    expect(await refusal(tiny, { share: 2 })).toContain('share must be from 0 to 1');
-    expect(await refusal(tiny, { pixels: 0 })).toContain(
-      "pixels must be a whole number from 1 on, or 'all'",
-    );
-    expect(await refusal(tiny, { seed: 0.5 })).toContain('seed must be a whole number');
+    for (const [options, words] of [
+      [{ share: 0 }, 'The picture shows no surface.'],
+      [{ codes: 0.5 }, 'codes must be a whole number'],
+      [{ share: 2 }, 'share must be from 0 to 1'],
+      [{ pixels: 0 }, "pixels must be a whole number from 1 on, or 'all'"],
+      [{ seed: 0.5 }, 'seed must be a whole number'],
+    ] as const) {
+      expect(await refusal(tiny, options)).toContain(words);
+    }
   });
 
   test('names a file that is missing, and says that a viewer is empty', async ({
@@ -331,13 +333,9 @@ test.describe('settled', () => {
       },
     );
     await settled(viewer);
-    const { loaded, programs } = await viewer.evaluate((element) => ({
-      loaded: element.loaded,
-      programs: element.stats.programs,
-    }));
-    expect(loaded).toBe(true);
+    expect(await viewer.evaluate((element) => element.loaded)).toBe(true);
     // The general program and the specialised one.
-    expect(programs).toBe(2);
+    expect((await statsOf(viewer)).programs).toBe(2);
   });
 
   test('scrolls to viewers that can be drawn', async ({ mount, page }) => {
