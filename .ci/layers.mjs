@@ -103,7 +103,11 @@ export const layers = {
   // The equation in steps, and the points of a picture.
   'extras/exercise': {
     layers: ['extras/explain', 'phong/reference', ...extra],
-    packages: ['lit', ...['fs', 'path', 'querystring', 'util'].map((name) => `node:${name}`)],
+    packages: [
+      'three',
+      'lit',
+      ...['fs', 'path', 'querystring', 'util'].map((name) => `node:${name}`),
+    ],
     types: ['@playwright/test'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },

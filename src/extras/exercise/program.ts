@@ -1,14 +1,28 @@
 // Runs a learner's function on points, in a WebGL 2 context of its own: whatever it does, it can
 // only take its own away. The learner's text comes last in the program, so nothing in it reaches
 // ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
+import {
+  BufferGeometry,
+  Camera,
+  DataTexture,
+  FloatType,
+  GLSL3,
+  Mesh,
+  NearestFilter,
+  RawShaderMaterial,
+  RGBAFormat,
+  RGBAIntegerFormat,
+  UnsignedIntType,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
 import { GIVEN_GLSL } from './solution.js';
 import type { Lamp } from '../../phong/mistakes/sheet.js';
 import { type Fault, Refused, refused, TOO_MUCH } from './guard.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
 
-const VERTEX = `#version 300 es
-void main() {
+const VERTEX = `void main() {
   gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
@@ -20,10 +34,9 @@ const WIDTH = 64;
  * power of a negative number is undefined in GLSL, and some drivers give that of its amount: here it
  * is not a number. Nor is 0 to the power of 0 defined, as where a lamp has no cutoff: here it is 1, as
  * in the equation. Words of less precision mean half floats on phones, where these would make a
- * right function wrong.
+ * right function wrong. The learner's lines are those of the source with number 1.
  */
-const PRELUDE = `#version 300 es
-precision highp float;
+const PRELUDE = `precision highp float;
 precision highp int;
 precision highp sampler2D;
 ${GIVEN_GLSL};
@@ -75,9 +88,8 @@ void main() {
 #define pow exercisePow
 #define mediump highp
 #define lowp highp
+#line 1 1
 `;
-
-const LINES = PRELUDE.split('\n').length - 1;
 
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
@@ -97,9 +109,6 @@ const FEWEST = 16;
  */
 const MOST_WORK = 2e9;
 
-/** Milliseconds for one tile, after which drivers give up themselves. */
-const WATCHDOG = 20_000;
-
 /**
  * The sums at the cases, three numbers each. Throws {@link Refused} where there are none, and the
  * signal's reason after an abort.
@@ -109,95 +118,70 @@ export async function run(
   cases: readonly Case[],
   signal: AbortSignal,
 ): Promise<Float32Array> {
-  const gl = document
+  const context = document
     .createElement('canvas')
     .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
-  if (gl === null) throw refused('An exercise needs WebGL 2.');
+  if (context === null) throw refused('An exercise needs WebGL 2.');
   try {
-    const mostAt = build(gl, glsl);
-    await bindTextures(gl, cases, signal);
-    const colors = await draw(gl, mostAt, cases, signal);
-    if (!gl.isContextLost()) return colors;
+    const colors = await draw(context, glsl, cases, signal);
+    if (!context.isContextLost()) return colors;
   } catch (error) {
-    if (!gl.isContextLost()) throw error;
+    if (!context.isContextLost()) throw error;
   } finally {
     // Browsers keep few contexts, so none waits for the next run.
-    lose(gl);
+    context.getExtension('WEBGL_lose_context')?.loseContext();
   }
   // A driver has given up, or the page has taken the context away.
   throw refused('The graphics driver has stopped. The next run starts anew.');
 }
 
-const lose = (gl: WebGL2RenderingContext): void =>
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
-
-/**
- * Returns the uniform that says how much the loops at a pixel may do. Throws {@link Refused} with
- * what the compiler has against the program.
- */
-function build(gl: WebGL2RenderingContext, glsl: string): WebGLUniformLocation | null {
-  const program = gl.createProgram();
-  // A function's parameters have the qualifiers of its prototype.
-  const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
-  for (const [type, source] of [
-    [gl.VERTEX_SHADER, VERTEX],
-    [gl.FRAGMENT_SHADER, PRELUDE + own],
-  ] as const) {
-    const shader = gl.createShader(type)!;
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
-      throw messagesIn(gl.getShaderInfoLog(shader) ?? '', own);
-    }
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
-    throw messagesIn(gl.getProgramInfoLog(program) ?? '', own);
-  }
-  gl.useProgram(program);
-  return gl.getUniformLocation(program, 'exerciseMost');
+/** The triangle over all pixels. Its uniform says how much the loops at a pixel may do. */
+function triangleOf(glsl: string, data: DataTexture) {
+  const geometry = new BufferGeometry();
+  geometry.setDrawRange(0, 3);
+  // Without prototypes: three.js would use what a page added to Object.prototype.
+  Object.setPrototypeOf(geometry.attributes, null);
+  const uniforms = { exerciseData: { value: data }, exerciseMost: { value: 0 } };
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    defines: Object.create(null) as Record<string, string>,
+    vertexShader: VERTEX,
+    fragmentShader: PRELUDE + glsl,
+    uniforms,
+  });
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  return { mesh, uniforms };
 }
 
-/** What the program reads, and what it draws into. */
-async function bindTextures(
-  gl: WebGL2RenderingContext,
-  cases: readonly Case[],
-  signal: AbortSignal,
-): Promise<void> {
-  const height = Math.ceil(cases.length / WIDTH);
-  const texels = await inTasks(packed(cases, WIDTH * height), signal);
-  const target = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, target);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, WIDTH, height);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  gl.texImage2D(
-    gl.TEXTURE_2D,
-    0,
-    gl.RGBA32F,
-    6 * WIDTH,
-    texels.length / 24 / WIDTH,
-    0,
-    gl.RGBA,
-    gl.FLOAT,
-    texels,
-  );
-  gl.viewport(0, 0, WIDTH, height);
-  gl.enable(gl.SCISSOR_TEST);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, gl.createBuffer());
-}
-
-/** Tile by tile. */
+/** Tile by tile. Throws {@link Refused} with what the compiler has against the program. */
 async function draw(
-  gl: WebGL2RenderingContext,
-  mostAt: WebGLUniformLocation | null,
+  context: WebGL2RenderingContext,
+  glsl: string,
   cases: readonly Case[],
   signal: AbortSignal,
 ): Promise<Float32Array> {
+  const lines = Math.ceil(cases.length / WIDTH);
+  const texels = await inTasks(packed(cases, WIDTH * lines), signal);
+  const across = 6 * WIDTH;
+  const data = new DataTexture(texels, across, texels.length / 4 / across, RGBAFormat, FloatType);
+  data.needsUpdate = true;
+  const target = new WebGLRenderTarget(WIDTH, lines, {
+    format: RGBAIntegerFormat,
+    type: UnsignedIntType,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthBuffer: false,
+  });
+  target.scissorTest = true;
+  // A function's parameters have the qualifiers of its prototype.
+  const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
+  // With a canvas of its own three.js hears of no loss: it would say so, and restore the context.
+  const renderer = new WebGLRenderer({ context });
+  renderer.debug.onShaderError = (gl, program, _, fragment) => {
+    throw messagesIn(gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program) || '', own);
+  };
+  const { mesh, uniforms } = triangleOf(own, data);
   const colors = new Float32Array(3 * cases.length).fill(NaN);
   let at = 0;
   // Pixels of the next tile, and at most: fewer once a tile was too much work.
@@ -218,18 +202,15 @@ async function draw(
     }
     const [x, y] = [at % WIDTH, Math.floor(at / WIDTH)];
     const width = Math.min(count, WIDTH - x);
-    const rows = Math.ceil((cases.length - at) / WIDTH);
-    const height = width < WIDTH ? 1 : Math.min(count / WIDTH, rows);
+    const height = width < WIDTH ? 1 : Math.min(count / WIDTH, lines - y);
     const start = performance.now();
-    gl.uniform1i(mostAt, MOST_WORK / count);
-    gl.scissor(x, y, width, height);
-    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    uniforms.exerciseMost.value = MOST_WORK / count;
+    target.scissor.set(x, y, width, height);
+    renderer.setRenderTarget(target);
+    renderer.render(mesh, camera);
+    await drawn(context);
     const bits = new Uint32Array(4 * width * height);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, bits.byteLength, gl.STREAM_READ);
-    gl.readPixels(x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 0);
-    await drawn(gl);
-    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bits);
+    renderer.readRenderTargetPixels(target, x, y, width, height, bits);
     const took = performance.now() - start;
     // What a frame takes without its pixels. Drivers finish a program in its first one.
     least = Math.min(least, took);
@@ -252,16 +233,17 @@ async function draw(
   return colors;
 }
 
-/** The page goes on while the GPU draws. */
+const camera = new Camera();
+
+/**
+ * The page goes on while the GPU draws. Rejects where the context is lost; three.js's own wait would
+ * not end then.
+ */
 async function drawn(gl: WebGL2RenderingContext): Promise<void> {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
-  const end = performance.now() + WATCHDOG;
   do {
     await new Promise((resolve) => setTimeout(resolve));
-    if (performance.now() > end) {
-      lose(gl);
-    }
   } while (gl.clientWaitSync(fence!, 0, 0) === gl.TIMEOUT_EXPIRED);
 }
 
@@ -275,17 +257,18 @@ function messagesIn(log: string, glsl: string): Refused {
 }
 
 function faultIn(message: string, glsl: string): Fault {
-  const [, number, said = message] = /^ERROR: \d+:(\d+): (.*)$/.exec(message) ?? [];
-  const line = Number(number) - LINES;
+  const [, part, number, said = message] = /^ERROR: (\d+):(\d+): (.*)$/.exec(message) ?? [];
+  const line = part === '1' ? Number(number) : null;
   const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(said) ?? [];
-  const isOther = /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[line - 1]!);
+  const isOther =
+    /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[Number(number) - 1]!);
   let text = said.replace(/exercisePow/g, 'pow');
   if (name !== '') {
     text = RECURSION;
   } else if (isOther || said.includes('Function shade()')) {
     text = /\bshade\s*\(/.test(glsl) ? OTHER_SHADE : NO_SHADE;
   }
-  return { text, values: { name }, line: line > 0 ? line : null };
+  return { text, values: { name }, line };
 }
 
 const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';

@@ -227,7 +227,7 @@ test('a lost context and an exponent that is too high are said, and the next run
   // Once, at the call that the page names, in the exercise's own context.
   await page.addInitScript(() => {
     const calls = WebGL2RenderingContext.prototype as unknown as Record<string, () => unknown>;
-    for (const name of ['createBuffer', 'createShader', 'linkProgram', 'getBufferSubData']) {
+    for (const name of ['createTexture', 'createShader', 'linkProgram', 'readPixels']) {
       const call = calls[name]!;
       calls[name] = function (this: WebGL2RenderingContext, ...given) {
         const { dataset } = document.documentElement;
@@ -241,7 +241,7 @@ test('a lost context and an exponent that is too high are said, and the next run
   });
   await mount(lamp + exercise('', RIGHT), { css });
   await expect(textArea(page)).toBeVisible();
-  for (const name of ['createBuffer', 'createShader', 'linkProgram', 'getBufferSubData']) {
+  for (const name of ['createTexture', 'createShader', 'linkProgram', 'readPixels']) {
     await page.evaluate((call) => (document.documentElement.dataset['lose'] = call), name);
     await page.getByRole('button', { name: 'Run' }).click();
     await expect(page.getByRole('alert'), name).toContainText('The graphics driver has stopped.');
@@ -302,7 +302,7 @@ test('a run waits while its page is hidden, where each timer would look like slo
   await expect(textArea(page)).toBeVisible();
   const draws = await page.locator('phong-exercise').evaluate(async (element) => {
     const { prototype } = WebGL2RenderingContext;
-    const { createFramebuffer, drawArrays } = prototype;
+    const { drawArrays } = prototype;
     let drawn = 0;
     let isHidden = true;
     Object.defineProperty(document, 'hidden', { configurable: true, get: () => isHidden });
@@ -310,24 +310,27 @@ test('a run waits while its page is hidden, where each timer would look like slo
       drawn++;
       drawArrays.apply(this, given);
     };
-    // A run makes it just before it draws.
-    const prepared = new Promise<void>((resolve) => {
-      prototype.createFramebuffer = function () {
-        resolve();
-        return createFramebuffer.call(this);
+    const waiting = new Promise<void>((resolve) => {
+      const listen = document.addEventListener;
+      document.addEventListener = (...given: Parameters<typeof listen>) => {
+        listen.apply(document, given);
+        if (given[0] === 'visibilitychange') {
+          resolve();
+        }
       };
     });
     const checked = new Promise((resolve) =>
       element.addEventListener('check', resolve, { once: true }),
     );
     element.shadowRoot!.querySelector('button')!.click();
-    await prepared;
+    await waiting;
     await new Promise((resolve) => setTimeout(resolve));
     const before = drawn;
     isHidden = false;
     document.dispatchEvent(new Event('visibilitychange'));
     await checked;
-    Object.assign(prototype, { createFramebuffer, drawArrays });
+    prototype.drawArrays = drawArrays;
+    Reflect.deleteProperty(document, 'addEventListener');
     return { before, after: drawn > 0 };
   });
   expect(draws).toEqual({ before: 0, after: true });
