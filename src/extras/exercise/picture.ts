@@ -2,11 +2,9 @@
 // shows a surface, with each lamp in world space.
 import { srgbDecode } from '../../phong/math/color.js';
 import { add, dot, length, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
-import { lazyCode } from '../../phong/lazy-code.js';
+import { coefficientsOf } from '../../phong/reference/index.js';
 import type { ViewerSnapshot } from '../../viewer/extra.js';
-import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
-import { weighted } from '../explain/ray-triangles.js';
-import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
+import { pick, shadedPoint } from '../explain/pick.js';
 import { refused } from './guard.js';
 import { kindOf } from '../../phong/light/light-features.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
@@ -32,9 +30,6 @@ export interface PicturePoints {
 /** Enough for a picture of 300 × 200. */
 const MOST_PIXELS = 60_000;
 
-/** Shared with `shadeAt`, which fetches it too. */
-const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), '<phong-exercise>');
-
 /**
  * Null where the viewer draws nothing. Throws {@link Refused} for an exponent that an exercise cannot
  * have, and the signal's reason after an abort.
@@ -45,14 +40,13 @@ export async function pointsOf(
   signal: AbortSignal,
 ): Promise<PicturePoints | null> {
   if (scene === null) return null;
-  return inTasks(pixelPoints(scene, lights, task, await referenceCode()), signal);
+  return inTasks(pixelPoints(scene, lights, task), signal);
 }
 
 function* pixelPoints(
   scene: NonNullable<ViewerSnapshot['scene']>,
   lights: ViewerSnapshot['lights'],
   task: Task,
-  { coefficientsOf }: Awaited<ReturnType<typeof referenceCode>>,
 ): Work<PicturePoints> {
   const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
   const width = Math.max(Math.round(scene.width * shrink), 1);
@@ -96,17 +90,6 @@ function* pixelPoints(
     }
   }
   return { width, height, cases, pixels, axes, linear, emissive };
-}
-
-function shadedPoint(hit: SeenHit) {
-  const { phong, geometry } = hit.drawn;
-  const corners = cornersOf(hit);
-  const [a, b, c] = corners;
-  const N = weighted(hit.weights, [a.N, b.N, c.N]);
-  return {
-    surface: surfaceAt(phong, geometry, hit, hit.base),
-    normal: mappedNormalAt(phong, geometry, hit, N, tangentAt(hit.weights, corners)),
-  };
 }
 
 /** A light in world space, with 1 as full; one without a cone or decay has some axis. */

@@ -27,7 +27,13 @@ import {
 } from '../../phong/math/vector.js';
 import type { OwnDrawn, SceneSnapshot } from '../../phong/geometry/scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
-import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
+import {
+  type BaseColor,
+  baseColorAt,
+  isFiltered,
+  mappedNormalAt,
+  surfaceAt,
+} from './surface-at.js';
 import {
   type RaySearch,
   searchNear,
@@ -35,6 +41,7 @@ import {
   type TriangleHit,
   type TrianglePoint,
   type ViewRay,
+  weighted,
 } from './ray-triangles.js';
 
 /** A point of a Phong-lit surface. */
@@ -247,12 +254,11 @@ interface Corner {
 
 /** The corners of the triangle that was hit, as the vertex shader computes them. */
 export function cornersOf({
-  drawn,
+  drawn: { geometry, matrixWorld },
   corners,
   front,
   frame,
 }: Hit): readonly [Corner, Corner, Corner] {
-  const { geometry, matrixWorld } = drawn;
   const toShading = matrixWorld.clone();
   const e = toShading.elements;
   for (let i = 0; i < 3; i++) {
@@ -260,20 +266,18 @@ export function cornersOf({
   }
   const turn = new Matrix3();
   normalMatrix(toShading, turn);
-  const place = geometry.getAttribute('position');
-  const normal = geometry.hasAttribute('normal') ? geometry.getAttribute('normal') : null;
-  const tangents = geometry.hasAttribute('tangent') ? geometry.getAttribute('tangent') : null;
+  const { position, normal, tangent } = geometry.attributes;
   const sign = toShading.determinant() < 0 ? -1 : 1;
   const linear = new Matrix3().setFromMatrix4(toShading);
   const tangentOf = (vertex: number): Vec4 | null => {
-    if (tangents === null) return null;
-    const T = new Vector3().fromBufferAttribute(tangents, vertex).applyMatrix3(linear);
-    return [...normalize(T.toArray()), sign * tangents.getW(vertex)];
+    if (tangent === undefined) return null;
+    const T = new Vector3().fromBufferAttribute(tangent, vertex).applyMatrix3(linear);
+    return [...normalize(T.toArray()), sign * tangent.getW(vertex)];
   };
   const corner = (vertex: number): Corner => {
-    const p = new Vector3().fromBufferAttribute(place, vertex).applyMatrix4(toShading);
+    const p = new Vector3().fromBufferAttribute(position!, vertex).applyMatrix4(toShading);
     const N = new Vector3();
-    if (normal !== null) {
+    if (normal !== undefined) {
       N.fromBufferAttribute(normal, vertex).applyMatrix3(turn);
     }
     return {
@@ -285,8 +289,22 @@ export function cornersOf({
   return [corner(corners[0]), corner(corners[1]), corner(corners[2])];
 }
 
+/** The surface at a hit, its normal as it is shaded, and the corners of its triangle. */
+export function shadedPoint(hit: Hit) {
+  const { weights } = hit;
+  const { phong, geometry } = hit.drawn;
+  const corners = cornersOf(hit);
+  const [a, b, c] = corners;
+  const N = weighted(weights, [a.N, b.N, c.N]);
+  return {
+    corners,
+    surface: surfaceAt(phong, geometry, hit, hit.base),
+    normal: mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)),
+  };
+}
+
 /** The tangent at a hit; null without one. */
-export function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
+function tangentAt(weights: Vec3, corners: readonly Corner[]): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);
   if (!a || !b || !c) return null;
   const mix = (i: 0 | 1 | 2 | 3): number =>

@@ -4,7 +4,7 @@ import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { add, map, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type * as Reference from '../../phong/reference/index.js';
-import type { LightShare, Shaded } from '../../phong/reference/index.js';
+import type { LightShare } from '../../phong/reference/index.js';
 import { lazyCode } from '../../phong/lazy-code.js';
 import type {
   FragmentExplanation,
@@ -12,10 +12,9 @@ import type {
   PhongViewer,
   ViewerSnapshot,
 } from '../../viewer/extra.js';
-import { cornersOf, type Hit, pick, pickNear, tangentAt } from './pick.js';
+import { type Hit, pick, pickNear, shadedPoint } from './pick.js';
 import { inTasks } from './in-tasks.js';
 import { weighted } from './ray-triangles.js';
-import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
 
@@ -119,19 +118,16 @@ function shadeHit(
   equation: Pick<typeof Reference, 'shade' | 'sumOf'>,
   hit: Hit,
   lights: readonly LightValues[],
-): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
+) {
   const { frame, weights } = hit;
-  const { phong, geometry } = hit.drawn;
-  const corners = cornersOf(hit);
-  const surface = surfaceAt(phong, geometry, hit, hit.base);
-  const { style, linear } = phong;
+  const { style, linear } = hit.drawn.phong;
+  const { corners, surface, normal } = shadedPoint(hit);
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
-  const at = (p: Vec3, normal: Vec3): Shaded =>
-    equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
-  const [a, b, c] = corners;
-  const N = weighted(weights, [a.N, b.N, c.N]);
-  const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
+  const at = (p: Vec3, N: Vec3) =>
+    equation.shade({ p, normal: N, eye: frame.eye }, surface, lights, options);
+  const here = at(hit.p, normal);
   if (style.shading !== 'gouraud') return { surface, shaded: here };
+  const [a, b, c] = corners;
   // Only terms and sum come from the corners, which use the fragment's base colour, so that it is
   // not interpolated.
   const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
