@@ -1,17 +1,8 @@
 // Another point and other coefficients for each seed. They depend on the text, the scene and the
 // camera alone.
 import { type PhongViewer, type FragmentExplanation } from '../../viewer/extra.js';
-import type { Mesh } from 'three';
-import {
-  add,
-  cross,
-  dot,
-  map,
-  scale,
-  subtract,
-  transformed,
-  type Vec3,
-} from '../../phong/math/vector.js';
+import { type Intersection, type Mesh, Raycaster, Vector3 } from 'three';
+import { dot, map, type Vec3 } from '../../phong/math/vector.js';
 import { withCoefficients } from './equations.js';
 import { type Asked, isAsked } from './probe-fields.js';
 
@@ -50,14 +41,18 @@ export async function seededFragment(
     }
   });
   const random = randomBy(seed);
-  const { eye } = viewer.camera;
+  const caster = new Raycaster(new Vector3(...viewer.camera.eye));
   let found: FragmentExplanation | null = null;
   for (let i = 0; i < TRIES && meshes.length > 0; i++) {
     const mesh = meshes[Math.floor(random() * meshes.length)]!;
-    const toward = subtract(pointIn(mesh, random), eye);
-    const away = Math.min(...meshes.map((each) => distanceTo(each, eye, toward)));
-    const point = add(eye, scale(toward, away));
-    if (away === Infinity || !isSeen(point)) continue;
+    caster.ray.lookAt(pointIn(mesh, random));
+    // Also meshes on layers that a ray does not see by itself.
+    const hits: Intersection[] = [];
+    meshes.forEach((each) => each.raycast(caster, hits));
+    const [hit] = hits.sort((a, b) => a.distance - b.distance);
+    if (hit === undefined) continue;
+    const point = hit.point.toArray();
+    if (!isSeen(point)) continue;
     const fragment = await viewer.explain(point);
     if (fragment === null) continue;
     found = fragment;
@@ -67,43 +62,13 @@ export async function seededFragment(
 }
 
 /** A random point of the mesh's box, in world space. */
-function pointIn({ geometry, matrixWorld }: Mesh, random: () => number): Vec3 {
+function pointIn({ geometry, matrixWorld }: Mesh, random: () => number): Vector3 {
   if (geometry.boundingBox === null) {
     geometry.computeBoundingBox();
   }
   const { min, max } = geometry.boundingBox!;
-  const [x, y, z] = (['x', 'y', 'z'] as const).map(
-    (axis) => min[axis] + random() * (max[axis] - min[axis]),
-  ) as [number, number, number];
-  return transformed(matrixWorld.elements, x, y, z);
-}
-
-/** In lengths of `toward`; Infinity where the ray meets no triangle. World space. */
-function distanceTo({ geometry, matrixWorld }: Mesh, eye: Vec3, toward: Vec3): number {
-  const toLocal = matrixWorld.clone().invert().elements;
-  const from = transformed(toLocal, ...eye);
-  const along = transformed(toLocal, ...toward, 0);
-  const { index } = geometry;
-  const places = geometry.getAttribute('position');
-  const corner = (i: number): Vec3 => {
-    const at = index?.getX(i) ?? i;
-    return [places.getX(at), places.getY(at), places.getZ(at)];
-  };
-  let nearest = Infinity;
-  for (let i = 0; i + 2 < (index ?? places).count; i += 3) {
-    const a = corner(i);
-    const [ab, ac] = [subtract(corner(i + 1), a), subtract(corner(i + 2), a)];
-    // By Cramer's rule (Möller and Trumbore 1997).
-    const across = cross(along, ac);
-    const away = subtract(from, a);
-    const over = cross(away, ab);
-    const volume = dot(ab, across);
-    const [u, v, t] = [dot(away, across), dot(along, over), dot(ac, over)].map((x) => x / volume);
-    if (u! >= 0 && v! >= 0 && u! + v! <= 1 && t! > 0) {
-      nearest = Math.min(nearest, t!);
-    }
-  }
-  return nearest;
+  const share = new Vector3(random(), random(), random());
+  return max.clone().sub(min).multiply(share).add(min).applyMatrix4(matrixWorld);
 }
 
 /** Not at the edge of what is seen, and at least five codes of light. */
