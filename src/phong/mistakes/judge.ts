@@ -3,9 +3,9 @@
 import { kindOf } from '../light/light-features.js';
 import { KINDS, type LightKind } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
-import { add, clamp, map, normalize, subtract, type Vec3 } from '../math/vector.js';
+import { add, clamp, length, map, normalize, scale, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
-import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps.js';
+import { evaluate, type Given, sumOfTerms, toLightOf, type Values, valuesAt } from './steps.js';
 
 /** A point with each lamp that lights it; its colour is the sum over them. */
 export type Case = readonly Given[];
@@ -98,17 +98,15 @@ function shifted(given: Given, sign: number): Given {
   const { aperture } = light;
   // What the cosine of a cone's edge may be off, as an angle; a cone of half a degree is a point.
   const edge = COSINE / Math.max(Math.sin(radians(aperture)), 0.01) / radians(1);
-  const reach = Math.hypot(...subtract(eye, p));
-  const [x, y, z] = light.position;
-  const L = normalize(light.position[3] === 1 ? subtract([x, y, z], p) : [x, y, z]);
+  const reach = by * length(subtract(eye, p));
+  const L = normalize(toLightOf(given));
   // Along L, so that N·L changes whatever the normal is; across the axis by three other amounts.
-  const turned = add(normalize(normal), [by * L[0], by * L[1], by * L[2]]);
-  const length = Math.hypot(...normal);
+  const turned = add(normalize(normal), scale(L, by));
   return {
     ...given,
     light: { ...light, aperture: aperture < 180 ? aperture + sign * edge : aperture },
-    p: add(p, [by * reach, -0.7 * by * reach, 0.4 * by * reach]),
-    normal: [turned[0] * length, turned[1] * length, turned[2] * length],
+    p: add(p, scale([1, -0.7, 0.4], reach)),
+    normal: scale(turned, length(normal)),
   };
 }
 

@@ -8,7 +8,6 @@ import {
   clamp,
   dot,
   length,
-  multiply,
   negate,
   normalize,
   scale,
@@ -100,17 +99,31 @@ const SOME_TERMS: readonly (readonly Term[])[] = [
   ['diffuse', 'specular'],
 ];
 
+/** Each alone, and both at once. */
+const alsoTogether = (a: Form, b: Form): readonly Form[] => [a, b, { ...a, ...b }];
+
 /** Cosines may be kept below 1: some cosines of long vectors are above it. */
 const cappedLambert: Form = { lambert: ({ NoL }) => clamp(NoL, 0, 1) };
 const cappedLobe: Form = {
   lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess),
 };
-const capped: readonly Form[] = [
-  {},
-  cappedLambert,
-  cappedLobe,
-  { ...cappedLambert, ...cappedLobe },
-];
+const capped: readonly Form[] = [{}, ...alsoTogether(cappedLambert, cappedLobe)];
+
+const absoluteLambert: Form = { lambert: ({ NoL }) => Math.abs(NoL) };
+const ungated: Form = { spec: ({ lobe }) => lobe };
+const halved = (NoL: number): number => 0.5 * NoL + 0.5;
+const raisedLambert: Form = { lambert: ({ NoL }, { material }) => power(NoL, material.shininess) };
+
+const longLightCone = byCosine(({ toLight, A }) => [toLight, A]);
+const longAxisCone = byCosine(({ L }, { light }) => [L, light.axis]);
+
+const reversedLambert: Form = { lambert: ({ NoL }) => Math.max(-NoL, 0) };
+
+/** Every position is a place, or a direction. */
+const allPlaces: Form = { toLight: (_, given) => subtract(placeOf(given), given.p) };
+const allDirections: Form = { toLight: (_, given) => placeOf(given) };
+/** The attenuation does not ask whether the light is a place. */
+const attenuatedAtAll: Form = { att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1) };
 
 /** L as long as the way to the light, under some lights. */
 const longUnder = (isMeant: (given: Given) => boolean): Form => ({
@@ -133,11 +146,13 @@ const specularPlus: Form = {
     scale(add(material.ks, light.specular), att * spec),
 };
 
+const lengthTo = (given: Given): number => length(subtract(placeOf(given), given.p));
+
 /** All terms times a number. */
 const scaled = (full: number): Form => ({ full: () => full });
 
 /** One term times a number. */
-const termScaled = (term: Term, by: number): Form => ({
+export const termScaled = (term: Term, by: number): Form => ({
   [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
 });
 
@@ -153,30 +168,25 @@ export const MISTAKES = mistakeTable({
   },
   'no-gate': {
     sentence: 'The highlight does not ask whether N·L is above 0: it shows on the far side too.',
-    forms: [{ spec: ({ lobe }) => lobe }],
+    forms: [ungated],
   },
   'abs-for-max': {
     sentence: 'abs(…) is not max(…, 0): the side away from the light is lit as well.',
     forms: [
-      { lambert: ({ NoL }) => Math.abs(NoL) },
-      {
-        lambert: ({ NoL }) => Math.abs(NoL),
+      ...alsoTogether(absoluteLambert, {
         lobe: ({ cosine }, { material }) => power(Math.abs(cosine), material.shininess),
-      },
-      {
-        lobe: ({ cosine }, { material }) => power(Math.abs(cosine), material.shininess),
-      },
-      { lambert: ({ NoL }) => Math.abs(NoL), spec: ({ lobe }) => lobe },
+      }),
+      { ...absoluteLambert, ...ungated },
     ],
   },
   'half-lambert': {
     sentence: 'N·L is moved from −1…1 to 0…1 (half Lambert) in place of max(N·L, 0).',
     forms: [
-      { lambert: ({ NoL }) => 0.5 * NoL + 0.5 },
-      { lambert: ({ NoL }) => (0.5 * NoL + 0.5) ** 2 },
-      { lambert: ({ NoL }) => 0.5 * NoL + 0.5, spec: ({ lobe }) => lobe },
+      { lambert: ({ NoL }) => halved(NoL) },
+      { lambert: ({ NoL }) => halved(NoL) ** 2 },
+      { lambert: ({ NoL }) => halved(NoL), ...ungated },
       // On the lit side only.
-      { lambert: ({ NoL }) => (NoL > 0 ? 0.5 * NoL + 0.5 : 0) },
+      { lambert: ({ NoL }) => (NoL > 0 ? halved(NoL) : 0) },
     ],
   },
   'normal-not-unit': {
@@ -199,7 +209,7 @@ export const MISTAKES = mistakeTable({
         // All lights, or places only.
         ...[() => true, isPositional].map(longUnder).flatMap((long) => [
           { ...long, ...cap },
-          { ...long, ...byCosine(({ toLight, A }) => [toLight, A]), ...cap },
+          { ...long, ...longLightCone, ...cap },
           // All but the cosine of the spot.
           {
             ...long,
@@ -217,12 +227,7 @@ export const MISTAKES = mistakeTable({
             ? dot(subtract(scale(N, 2 * dot(N, toLight)), toLight), V)
             : dot(N, normalize(add(toLight, V))),
       },
-      { c: ({ toLight, A }) => dot(toLight, negate(A)) },
-      {
-        c: ({ toLight, A }) => dot(toLight, negate(A)),
-        ...byCosine(({ toLight, A }) => [toLight, A]),
-      },
-      byCosine(({ toLight, A }) => [toLight, A]),
+      ...alsoTogether({ c: ({ toLight, A }) => dot(toLight, negate(A)) }, longLightCone),
     ],
   },
   'view-not-unit': {
@@ -242,29 +247,19 @@ export const MISTAKES = mistakeTable({
   'axis-not-unit': {
     sentence: "The spot's axis is not normalized: its length counts in the cosine.",
     forms: [
-      { c: ({ L }, { light }) => dot(L, negate(light.axis)) },
-      {
-        c: ({ L }, { light }) => dot(L, negate(light.axis)),
-        ...byCosine(({ L }, { light }) => [L, light.axis]),
-      },
-      {
-        c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1),
-        ...byCosine(({ L }, { light }) => [L, light.axis]),
-      },
-      byCosine(({ L }, { light }) => [L, light.axis]),
+      ...alsoTogether({ c: ({ L }, { light }) => dot(L, negate(light.axis)) }, longAxisCone),
+      { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1), ...longAxisCone },
     ],
   },
   'light-reversed': {
     sentence: 'L, N or the axis points the wrong way: L goes from the point to the light.',
     forms: [
-      { L: (so, given) => negate(RIGHT.L(so, given)) },
-      { lambert: ({ NoL }) => Math.max(-NoL, 0) },
-      { lambert: ({ NoL }) => Math.max(-NoL, 0), spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
-      { A: (so, given) => negate(RIGHT.A(so, given)) },
-      {
-        L: (so, given) => negate(RIGHT.L(so, given)),
-        A: (so, given) => negate(RIGHT.A(so, given)),
-      },
+      ...alsoTogether(
+        { L: (so, given) => negate(RIGHT.L(so, given)) },
+        { A: (so, given) => negate(RIGHT.A(so, given)) },
+      ),
+      reversedLambert,
+      { ...reversedLambert, spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
       // Places only, or directions only.
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -1 : 1) },
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? 1 : -1) },
@@ -300,12 +295,9 @@ export const MISTAKES = mistakeTable({
   'exponent-on-diffuse': {
     sentence: 'The diffuse term is raised to the exponent: only the highlight has one.',
     forms: [
-      { lambert: ({ NoL }, { material }) => power(NoL, material.shininess) },
+      raisedLambert,
       // In the place of the highlight.
-      {
-        lambert: ({ NoL }, { material }) => power(NoL, material.shininess),
-        lobe: ({ cosine }) => Math.max(cosine, 0),
-      },
+      { ...raisedLambert, lobe: ({ cosine }) => Math.max(cosine, 0) },
     ],
   },
   'specular-times-cosine': {
@@ -318,11 +310,7 @@ export const MISTAKES = mistakeTable({
   'ambient-attenuated': {
     sentence:
       'The attenuation is applied to the ambient term too: it belongs to diffuse and specular.',
-    forms: [
-      {
-        ambient: ({ att }, { material, light }) => scale(multiply(material.ka, light.ambient), att),
-      },
-    ],
+    forms: [{ ambient: (so, given) => scale(RIGHT.ambient(so, given), so.att) }],
   },
   'no-ambient': {
     sentence: 'The ambient term is missing: Ka · Ia.',
@@ -347,14 +335,8 @@ export const MISTAKES = mistakeTable({
       // With the length of L, which is 1.
       attenuated((_, { light }) => Math.max(falloff(light, 1), 1)),
       attenuated((_, { light }) => falloff(light, 1)),
-      {
-        diffuse: ({ lambert }, { material, light }) =>
-          scale(multiply(material.kd, light.diffuse), lambert),
-      },
-      {
-        specular: ({ spec }, { material, light }) =>
-          scale(multiply(material.ks, light.specular), spec),
-      },
+      { diffuse: (so, given) => RIGHT.diffuse({ ...so, att: 1 }, given) },
+      { specular: (so, given) => RIGHT.specular({ ...so, att: 1 }, given) },
     ],
   },
   'distance-not-squared': {
@@ -372,21 +354,11 @@ export const MISTAKES = mistakeTable({
   'w-ignored': {
     sentence: 'position.w is ignored: 0 is a direction, 1 is a place.',
     forms: [
-      // Every position is a place,
-      {
-        toLight: (_, given) => subtract(placeOf(given), given.p),
-        att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1),
-      },
-      { toLight: (_, given) => subtract(placeOf(given), given.p) },
-      // or a direction,
-      { toLight: (_, given) => placeOf(given), att: () => 1 },
+      ...alsoTogether(allPlaces, attenuatedAtAll),
+      allDirections,
+      { ...allDirections, att: () => 1 },
       { L: (_, given) => normalize(placeOf(given)) },
-      { toLight: (_, given) => placeOf(given) },
-      // or the attenuation does not ask for it.
-      {
-        att: (_, given) => 1 / Math.max(falloff(given.light, lengthTo(given)), 1),
-      },
-      { att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1) },
+      { att: (_, given) => 1 / Math.max(falloff(given.light, lengthTo(given)), 1) },
     ],
   },
   'ambient-outside-cone': {
@@ -466,8 +438,6 @@ export type MistakeId = keyof typeof MISTAKES;
  * one whose sentence is true of both.
  */
 export const MISTAKE_IDS = Object.keys(MISTAKES) as readonly MistakeId[];
-
-const lengthTo = (given: Given): number => length(subtract(placeOf(given), given.p));
 
 export const formsOf = (id: MistakeId): readonly Form[] => MISTAKES[id].forms;
 

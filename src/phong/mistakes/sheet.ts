@@ -17,7 +17,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../math/vector.js';
-import type { Given } from './steps.js';
+import { type Given, placeOf, toLightOf } from './steps.js';
 
 /** What an exercise asks for. */
 export interface Task {
@@ -124,18 +124,12 @@ export const only = (terms: readonly Term[], light: Lamp): Lamp => {
 function pointAt(about: Scene, random: () => number): Given {
   const { axis, aperture, cutoff, attenuation, position, shininess } = about;
   const between = (low: number, high: number): number => low + (high - low) * random();
-  const vector = (size: number): Vec3 => [
-    between(-size, size),
-    between(-size, size),
-    between(-size, size),
-  ];
-  const color = (low: number, high: number): Vec3 => [
+  const vector = (low: number, high: number): Vec3 => [
     between(low, high),
     between(low, high),
     between(low, high),
   ];
-  const place: Vec3 = [position[0], position[1], position[2]];
-  let p = vector(1);
+  let p = vector(-1, 1);
   if (about.kind === 'spot') {
     // Mostly where a cone cuts, and some behind it.
     const most = random() < 0.7 ? Math.min(2.4 * aperture, 170) : 170;
@@ -145,19 +139,20 @@ function pointAt(about: Scene, random: () => number): Given {
     const side = perpendicular(A);
     const around = add(scale(side, Math.cos(turn)), scale(cross(A, side), Math.sin(turn)));
     const along = add(scale(A, Math.cos(angle)), scale(around, Math.sin(angle)));
-    p = add(place, scale(along, between(0.3, 3)));
+    p = add([position[0], position[1], position[2]], scale(along, between(0.3, 3)));
   }
   const eye: Vec3 = [between(-1.5, 1.5), between(-1, 2), between(2.5, 4)];
-  const L = normalize(position[3] === 1 ? subtract(place, p) : place);
+  const L = normalize(toLightOf({ light: about, p }));
   // Half of the normals are those of a highlight, the others are anywhere.
   const V = normalize(subtract(eye, p));
-  const half = add(normalize(add(L, V)), vector(random() < 0.5 ? 0.35 : 2));
+  const stray = random() < 0.5 ? 0.35 : 2;
+  const half = add(normalize(add(L, V)), vector(-stray, stray));
   const away = random() < 0.25 ? negate(half) : half;
   return {
     light: {
-      ambient: short(color(0.1, 0.5)),
-      diffuse: short(color(0.4, 1)),
-      specular: short(color(0.4, 1)),
+      ambient: short(vector(0.1, 0.5)),
+      diffuse: short(vector(0.4, 1)),
+      specular: short(vector(0.4, 1)),
       position,
       axis,
       aperture,
@@ -165,9 +160,9 @@ function pointAt(about: Scene, random: () => number): Given {
       attenuation,
     },
     material: {
-      ka: short(color(0.2, 1)),
-      kd: short(color(0.2, 1)),
-      ks: short(color(0.3, 1)),
+      ka: short(vector(0.2, 1)),
+      kd: short(vector(0.2, 1)),
+      ks: short(vector(0.3, 1)),
       shininess,
     },
     p: short(p),
@@ -185,12 +180,12 @@ const short = (v: Vec3): Vec3 => map(v, (x) => Math.round(1000 * x) / 1000);
  * the angle off the axis is near no edge of a cone. The distances are hundreds of roundings of
  * float32, and more than what three decimals of an input change.
  */
-function isFarFromJumps({ light, p, normal }: Given): boolean {
-  const { aperture, axis, position } = light;
-  const place: Vec3 = [position[0], position[1], position[2]];
-  const toLight = position[3] === 1 ? subtract(place, p) : place;
+function isFarFromJumps(given: Given): boolean {
+  const { light, normal } = given;
+  const { aperture, axis } = light;
+  const toLight = toLightOf(given);
   const L = normalize(toLight);
-  const directed = normalize(place);
+  const directed = normalize(placeOf(given));
   if (length(toLight) < 0.2 || [L, directed].some((l) => Math.abs(dot(normal, l)) < 0.02))
     return false;
   if (aperture >= 180) return true;

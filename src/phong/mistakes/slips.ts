@@ -2,15 +2,18 @@
 // takes an angle for its cosine. The same entries as usual mistakes, with steps of the same equation;
 // a picture shows none of them, so the check of a learner's function leaves them out.
 import { radians } from '../math/angle.js';
-import { clamp, multiply, scale, type Vec3 } from '../math/vector.js';
-import { type Form, mistakeTable } from './mistakes.js';
-import { power, RIGHT } from './steps.js';
+import { TERMS } from '../light/light-state.js';
+import { clamp, scale, type Vec3 } from '../math/vector.js';
+import { type Form, mistakeTable, termScaled } from './mistakes.js';
+import { type Given, power, RIGHT, type Values } from './steps.js';
 
 const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
 
 const sineOf = (cosine: number): number => Math.sqrt(Math.max(1 - cosine * cosine, 0));
 
 const grey = (x: number): Vec3 => [x, x, x];
+
+const WHITE = grey(1);
 
 /** The cosine of each term replaced by a function of the right one. */
 const cosines = (wrong: (cosine: number) => number): readonly Form[] => [
@@ -24,6 +27,12 @@ const alone = (form: Form): Form => ({
   shares: () => ({ ambient: 1, diffuse: 1, specular: 1 }),
 });
 
+/** Each term of the equation with another material or light. */
+const withOther = (other: (given: Given) => Given): readonly Form[] =>
+  TERMS.map((term): Form => ({
+    [term]: (so: Values, given: Given) => RIGHT[term](so, other(given)),
+  }));
+
 const LEFT_OUT = 'That is the value without {factor}.';
 const INSTEAD = 'That is the value with {wrong} in place of {right}.';
 const ALONE = 'That is {factor} alone.';
@@ -31,19 +40,17 @@ const ALONE = 'That is {factor} alone.';
 export const SLIPS = mistakeTable({
   'without-coefficient': {
     sentence: LEFT_OUT,
-    forms: [
-      { ambient: (_, { light }) => light.ambient },
-      { diffuse: ({ att, lambert }, { light }) => scale(light.diffuse, att * lambert) },
-      { specular: ({ att, spec }, { light }) => scale(light.specular, att * spec) },
-    ],
+    forms: withOther((given) => ({
+      ...given,
+      material: { ...given.material, ka: WHITE, kd: WHITE, ks: WHITE },
+    })),
   },
   'without-intensity': {
     sentence: LEFT_OUT,
-    forms: [
-      { ambient: (_, { material }) => material.ka },
-      { diffuse: ({ att, lambert }, { material }) => scale(material.kd, att * lambert) },
-      { specular: ({ att, spec }, { material }) => scale(material.ks, att * spec) },
-    ],
+    forms: withOther((given) => ({
+      ...given,
+      light: { ...given.light, ambient: WHITE, diffuse: WHITE, specular: WHITE },
+    })),
   },
   'without-att': { sentence: LEFT_OUT, forms: [{ att: () => 1 }] },
   'without-decay': { sentence: LEFT_OUT, forms: [{ decay: () => 1 }] },
@@ -99,12 +106,10 @@ export const SLIPS = mistakeTable({
   'code-for-number': {
     sentence: 'Here 1 is full, not {number}.',
     forms: [
-      alone({ ambient: (_, { light }) => scale(light.ambient, 255) }),
-      alone({ diffuse: (_, { light }) => scale(light.diffuse, 255) }),
-      alone({ specular: (_, { light }) => scale(light.specular, 255) }),
-      { ambient: (_, { material, light }) => scale(multiply(material.ka, light.ambient), 255) },
-      { diffuse: (so, given) => scale(RIGHT.diffuse(so, given), 255) },
-      { specular: (so, given) => scale(RIGHT.specular(so, given), 255) },
+      ...TERMS.map((term) =>
+        alone({ [term]: (_: Values, { light }: Given) => scale(light[term], 255) }),
+      ),
+      ...TERMS.map((term) => termScaled(term, 255)),
       { full: () => 255 * 255 },
     ],
   },

@@ -4,11 +4,13 @@
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import { falloff, type LightValues, type ShadedValue, type Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
+import { srgbDecode } from '../math/color.js';
 import {
   add,
   cross,
   dot,
   length,
+  map,
   multiply,
   negate,
   normalize,
@@ -34,6 +36,17 @@ export interface Given {
   readonly reflection: 'phong' | 'blinn-phong';
   /** The terms that are asked for. */
   readonly terms: readonly Term[];
+}
+
+/** A light with 1 as full, or decoded where shading is linear. */
+export function lampOf(light: Readonly<LightValues>, linear: boolean): Given['light'] {
+  const color = (own: Vec3): Vec3 => map(own, (x) => (linear ? srgbDecode(x / 255) : x / 255));
+  return {
+    ...light,
+    ambient: color(light.ambient),
+    diffuse: color(light.diffuse),
+    specular: color(light.specular),
+  };
 }
 
 /** What the steps compute, in their order. */
@@ -77,13 +90,24 @@ export type Steps = { readonly [K in keyof Values]: Step<K> };
 
 export const BLACK: Vec3 = [0, 0, 0];
 
-export const isPositional = ({ light }: Given): boolean => light.position[3] === 1;
+/** What decides the way to a light. */
+interface PlacedLight {
+  readonly light: Pick<LightValues, 'position'>;
+  readonly p: Vec3;
+}
 
-export const placeOf = ({ light: { position } }: Given): Vec3 => [
+export const isPositional = ({ light }: Pick<PlacedLight, 'light'>): boolean =>
+  light.position[3] === 1;
+
+export const placeOf = ({ light: { position } }: Pick<PlacedLight, 'light'>): Vec3 => [
   position[0],
   position[1],
   position[2],
 ];
+
+/** To the light, not normalized. */
+export const toLightOf = (given: PlacedLight): Vec3 =>
+  isPositional(given) ? subtract(placeOf(given), given.p) : placeOf(given);
 
 /** Angle off the spot's axis in radians. */
 export const angleOf = ({ L, A }: Readonly<Pick<Values, 'L' | 'A'>>): number =>
@@ -105,7 +129,7 @@ export const NoH = ({ N, L, V }: Readonly<Values>): number => dot(N, normalize(a
 export const RIGHT: Steps = {
   N: (_, { normal }) => normalize(normal),
   V: (_, { eye, p }) => normalize(subtract(eye, p)),
-  toLight: (_, given) => (isPositional(given) ? subtract(placeOf(given), given.p) : placeOf(given)),
+  toLight: (_, given) => toLightOf(given),
   d: ({ toLight }) => length(toLight),
   L: ({ toLight, d }, given) => (isPositional(given) && d < NEAREST ? BLACK : normalize(toLight)),
   A: (_, { light }) =>
