@@ -2,17 +2,15 @@
 // shows a surface, with each lamp in world space.
 import { srgbDecode } from '../../phong/math/color.js';
 import { add, dot, length, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
-import { coefficientsOf } from '../../phong/reference/index.js';
+import { type CameraAxes, coefficientsOf, toWorld } from '../../phong/reference/equation.js';
 import type { ViewerSnapshot } from '../../viewer/extra.js';
 import { pick, shadedPoint } from '../explain/pick.js';
 import { refused } from './guard.js';
 import { kindOf } from '../../phong/light/light-features.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
 import { inTasks } from '../explain/in-tasks.js';
+import { lampOf } from '../../phong/mistakes/steps.js';
 import { type Lamp, NO_CONE, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
-
-/** Of the eye: right, up, back. */
-type Axes = readonly [Vec3, Vec3, Vec3];
 
 export interface PicturePoints {
   readonly width: number;
@@ -20,7 +18,7 @@ export interface PicturePoints {
   readonly cases: readonly Case[];
   /** The pixel of each case, counted in rows from the top. */
   readonly pixels: readonly number[];
-  readonly axes: Axes;
+  readonly axes: CameraAxes;
   /** Colours are summed in linear light, and encoded when they are shown. */
   readonly linear: boolean;
   /** What the surface of each case adds to the sum itself. */
@@ -51,9 +49,8 @@ function* pixelPoints(
   const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
   const width = Math.max(Math.round(scene.width * shrink), 1);
   const height = Math.max(Math.round(scene.height * shrink), 1);
-  const { origin, eye, right, up, back } = scene.frame;
+  const { origin, eye } = scene.frame;
   const world = add(origin, eye);
-  const axes: Axes = [right, up, back];
   const cases: Case[] = [];
   const pixels: number[] = [];
   const emissive: Vec3[] = [];
@@ -61,7 +58,7 @@ function* pixelPoints(
   const linear = scene.objects.some(({ phong }) => phong?.linear === true);
   const lamps = lights
     .filter(({ values }) => values.active && task.kinds.includes(kindOf(values)))
-    .map(({ values }) => only(task.terms, lampOf(values, world, axes, linear)));
+    .map(({ values }) => only(task.terms, placed(values, world, scene.frame, linear)));
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
       yield;
@@ -89,30 +86,25 @@ function* pixelPoints(
       emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
     }
   }
-  return { width, height, cases, pixels, axes, linear, emissive };
+  return { width, height, cases, pixels, axes: scene.frame, linear, emissive };
 }
 
 /** A light in world space, with 1 as full; one without a cone or decay has some axis. */
-function lampOf(
+function placed(
   light: ViewerSnapshot['lights'][number]['values'],
   eye: Vec3,
-  [right, up, back]: Axes,
+  axes: CameraAxes,
   linear: boolean,
 ): Lamp {
   const isCamera = light.space === 'camera';
-  const color = (own: Vec3) => map(own, (k) => (linear ? srgbDecode(k / 255) : k / 255));
-  const turned = ([x, y, z]: Vec3): Vec3 =>
-    isCamera ? add(add(scale(right, x), scale(up, y)), scale(back, z)) : [x, y, z];
+  const turned = (v: Vec3): Vec3 => (isCamera ? toWorld(axes, v) : v);
   const [x, y, z, w] = light.position;
   const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
   const axis = turned(light.axis);
   return {
-    ambient: color(light.ambient),
-    diffuse: color(light.diffuse),
-    specular: color(light.specular),
+    ...lampOf(light, linear),
     position: [...map(place, Math.fround), w],
-    ...(dot(axis, axis) > 0 ? { axis, aperture: light.aperture, cutoff: light.cutoff } : NO_CONE),
-    attenuation: light.attenuation,
+    ...(dot(axis, axis) > 0 ? { axis } : NO_CONE),
   };
 }
 
@@ -125,7 +117,7 @@ export function underScene(
   const points = picture.cases.flat().map(({ p }) => p);
   const center = scale(points.reduce<Vec3>(add, [0, 0, 0]), 1 / points.length);
   const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
-  const [right, up, back] = picture.axes;
+  const { right, up, back } = picture.axes;
   const turned = (v: Vec3): Vec3 => [dot(right, v), dot(up, v), dot(back, v)];
   const placed = (p: Vec3) => map(turned(subtract(p, center)), (x) => Math.fround(x / size));
   const light = only(terms, {

@@ -16,7 +16,7 @@ import {
   subtract,
   type Vec3,
 } from '../../phong/math/vector.js';
-import { EDGE, halfChord, power } from '../../phong/reference/equation.js';
+import { EDGE, halfChord, power, toWorld } from '../../phong/reference/equation.js';
 import type { CastCamera } from './cast-scene.js';
 import { LightCells } from './light-cells.js';
 import { unit } from './placed.js';
@@ -108,17 +108,11 @@ function isInside({ axis, cosine, aperture }: Prepared, L: Vec3): boolean {
   return atan2(Math.sqrt(dot(across, across)), c) <= aperture + EDGE;
 }
 
-function prepared(
-  light: Readonly<LightValues>,
-  { eye, right, up, back }: CastCamera,
-  linear: boolean,
-  mark: number,
-) {
+function prepared(light: Readonly<LightValues>, camera: CastCamera, linear: boolean, mark: number) {
   const [x, y, z, w] = light.position;
   const positional = w === 1;
   const ofCamera = light.space === 'camera';
-  const turned = ([a, b, c]: Vec3): Vec3 =>
-    ofCamera ? add(add(scale(right, a), scale(up, b)), scale(back, c)) : [a, b, c];
+  const turned = (v: Vec3): Vec3 => (ofCamera ? toWorld(camera, v) : v);
   const given = turned([x, y, z]);
   const color = (c255: Vec3): Vec3 =>
     map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
@@ -128,7 +122,7 @@ function prepared(
   return {
     positional,
     /** The unit vector to a directional light; zero if it has none. */
-    place: !positional ? normalize(given) : ofCamera ? given : subtract(given, eye),
+    place: !positional ? normalize(given) : ofCamera ? given : subtract(given, camera.eye),
     axis,
     cosine: cosDegrees(light.aperture),
     sine: sinDegrees(light.aperture),

@@ -207,6 +207,10 @@ function share(
   };
 }
 
+/** A vector of the camera's space in world space. */
+export const toWorld = ({ right, up, back }: CameraAxes, [x, y, z]: Vec3): Vec3 =>
+  add(add(scale(right, x), scale(up, y)), scale(back, z));
+
 /** The vector to the light and the spot's axis in world space. */
 function placeLight(
   light: Readonly<LightValues>,
@@ -221,14 +225,12 @@ function placeLight(
     return { toLight, axis: light.axis, positional };
   }
   if (camera === undefined) throw new TypeError('a light in camera space needs options.camera');
-  const toWorld = (v: Vec3): Vec3 =>
-    add(add(scale(camera.right, v[0]), scale(camera.up, v[1])), scale(camera.back, v[2]));
-  const turned = toWorld([x, y, z]);
+  const turned = toWorld(camera, [x, y, z]);
   return {
     // Subtract the fragment from the eye first: far from the origin, eye + turned would round the
     // light's offset away.
     toLight: positional ? add(subtract(eye, p), turned) : turned,
-    axis: toWorld(light.axis),
+    axis: toWorld(camera, light.axis),
     positional,
   };
 }
