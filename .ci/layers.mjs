@@ -111,7 +111,10 @@ export const layers = {
     types: ['@playwright/test'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },
-  'extras/probe': { layers: ['extras/overlay', ...extra], packages: ['three', 'lit'] },
+  'extras/probe': {
+    layers: ['extras/overlay', 'phong/reference', ...extra],
+    packages: ['three', 'lit'],
+  },
   'extras/frameworks': {
     layers: ['viewer', 'viewer/element', 'phong/fields'],
     lazy: ['viewer/scene', 'phong/light'],

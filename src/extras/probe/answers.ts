@@ -10,14 +10,13 @@ import {
 import { add, cross, normalize, perpendicular, scale, subtract } from '../../phong/math/vector.js';
 import { type Form, MISTAKES, type MistakeId, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import { isLeftOut, SLIPS, type SlipId } from '../../phong/mistakes/slips.js';
-import { evaluate, type Given } from '../../phong/mistakes/steps.js';
+import { evaluate, type Given, lampOf } from '../../phong/mistakes/steps.js';
 import { decimals, degreesText, rounded, shortNumber } from '../overlay/probe/sum.js';
 import {
   coefficientOf,
   drawn,
   type Equation,
   givenOf,
-  intensityOf,
   local,
   ownOf,
   plain,
@@ -144,16 +143,7 @@ function givenAt({ fragment, share, light, linear, halfway, term }: TermAt): Giv
   const side = normalize(cross(L, perpendicular(L)));
   const axis = add(scale(L, -c), scale(side, Math.sqrt(Math.max(1 - c * c, 0))));
   return {
-    light: {
-      ambient: intensityOf(light, 'ambient', linear),
-      diffuse: intensityOf(light, 'diffuse', linear),
-      specular: intensityOf(light, 'specular', linear),
-      position: [x, y, z, isPlace ? 1 : 0],
-      axis,
-      aperture: light.aperture,
-      cutoff: light.cutoff,
-      attenuation: light.attenuation,
-    },
+    light: { ...lampOf(light, linear), position: [x, y, z, isPlace ? 1 : 0], axis },
     material: {
       ka: coefficientOf(fragment, 'ambient'),
       kd: coefficientOf(fragment, 'diffuse'),

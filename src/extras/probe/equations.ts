@@ -17,7 +17,8 @@ import {
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
-import { power } from '../../phong/mistakes/steps.js';
+import { lampOf, power } from '../../phong/mistakes/steps.js';
+import { sumOf } from '../../phong/reference/equation.js';
 import {
   decimals,
   degreesOf,
@@ -88,10 +89,6 @@ const NAMES = { ambient: 'a', diffuse: 'd', specular: 's' } as const;
 export const coefficientOf = (fragment: FragmentExplanation, term: Term): Vec3 =>
   fragment[`k${NAMES[term]}`];
 
-/** 1 is full; decoded if shading is linear. */
-export const intensityOf = (light: Readonly<LightValues>, term: Term, linear: boolean): Vec3 =>
-  map(light[term], (x) => (linear ? srgbDecode(x / 255) : x / 255));
-
 export function equationsOf(
   fragment: FragmentExplanation,
   options: EquationOptions,
@@ -112,7 +109,7 @@ type FactorOf = (at: TermAt) => Factor | null;
 
 const intensity: FactorOf = ({ light, term, linear }) => ({
   symbol: `I${NAMES[term]}`,
-  value: intensityOf(light, term, linear),
+  value: lampOf(light, linear)[term],
   given: true,
 });
 
@@ -429,11 +426,5 @@ export function withCoefficients(
         specular: again(share.specular, ks, next.ks),
       },
   );
-  const total = shares.reduce(
-    (all, share) =>
-      share === null ? all : add(all, add(share.ambient, add(share.diffuse, share.specular))),
-    ownOf(fragment, linear),
-  );
-  const sum = linear ? map(total, (x) => srgbEncode(Math.max(x, 0))) : total;
-  return { ...fragment, ...next, shares, sum, color: map(sum, (x) => clamp(x, 0, 1)) };
+  return { ...fragment, ...next, shares, ...sumOf(shares, fragment, linear) };
 }
