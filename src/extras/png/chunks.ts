@@ -47,10 +47,15 @@ const CRC = /* @__PURE__ */ Int32Array.from({ length: 256 }, (_, i) => {
   return crc;
 });
 
-/** The PNG with this text in it, not compressed. `keyword`: ASCII. */
+/**
+ * What stands before the text in its chunk: the keyword, which is ASCII, and its end; not compressed, by
+ * method 0; no language; no translated keyword.
+ */
+export const textHead = (keyword: string): string => `${keyword}\0\0\0\0\0`;
+
+/** The PNG with this text in it. */
 export function withText(png: Uint8Array, keyword: string, text: string): Uint8Array<ArrayBuffer> {
-  // The keyword's end; not compressed, by method 0; no language; no translated keyword.
-  const data = new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`);
+  const data = new TextEncoder().encode(textHead(keyword) + text);
   return joined([png.subarray(0, HEADER_END), chunk('iTXt', data), png.subarray(HEADER_END)]);
 }
 

@@ -27,7 +27,6 @@ const changed = (file: Uint8Array, at: number, ...values: readonly number[]): Ui
   return copy;
 };
 const whole = withMarkup(plain.slice(), SCENE);
-const packed = (content: string | Uint8Array): readonly number[] => [...deflateSync(content)];
 const NONE = 'holds no scene: only';
 const DAMAGED = 'the file is damaged';
 const LARGE = 'too large to open';
@@ -39,11 +38,9 @@ describe('the markup in a PNG', () => {
     expect(PNG.sync.read(Buffer.from(whole))).toMatchObject({ width: 2, height: 2 });
   });
 
-  it('is read where another program has compressed it, or put it elsewhere', async () => {
-    const compressed = text([1, 0], 'en', 0, 'scene', 0, packed(SCENE));
-    expect(await markupIn(png(chunk('tEXt', bytes('phong-viewer', 0, 'other')), compressed))).toBe(
-      SCENE,
-    );
+  it('is read where another program has put it elsewhere', async () => {
+    const other = chunk('tEXt', bytes('phong-viewer', 0, 'other'));
+    expect(await markupIn(png(other, text([0, 0, 0, 0], SCENE)))).toBe(SCENE);
   });
 
   it('is in each still', async () => {
@@ -74,18 +71,15 @@ describe('the markup in a PNG', () => {
     ['a length one too short', changed(whole, 36, whole[36]! - 1), DAMAGED],
     ['a wrong checksum', changed(whole, 70, whole[70]! ^ 1), DAMAGED],
     ['two markups', png(text([0, 0, 0, 0], SCENE), text([0, 0, 0, 0], SCENE)), DAMAGED],
-    ['no end of the language', png(text([0, 0], 'en')), DAMAGED],
-    ['a keyword alone', png(text()), DAMAGED],
-    ['an unknown compression', png(text([1, 7, 0, 0], packed(SCENE))), DAMAGED],
-    ['an unknown flag', png(text([2, 0, 0, 0], SCENE)), DAMAGED],
-    ['no zlib stream', png(text([1, 0, 0, 0], SCENE)), DAMAGED],
-    ['a zlib stream that is cut', png(text([1, 0, 0, 0], packed(SCENE).slice(0, -9))), DAMAGED],
+    ['no end of the language', png(text([0, 0], 'en')), NONE],
+    ['a keyword alone', png(text()), NONE],
+    ['a head that is cut', png(text([0, 0, 0])), NONE],
+    ['a compressed text', png(text([1, 0, 0, 0], [...deflateSync(SCENE)])), NONE],
     ['invalid UTF-8', png(text([0, 0, 0, 0], '<phong-viewer>', [0xc3, 0x28])), DAMAGED],
     ['half a surrogate pair', png(text([0, 0, 0, 0], [0xed, 0xa0, 0x80])), DAMAGED],
     ['a text of a megabyte', png(text([0, 0, 0, 0], ' '.repeat(2 ** 20))), LARGE],
     ['100,001 characters', png(text([0, 0, 0, 0], 'a'.repeat(100_001))), LARGE],
     ['three million empty texts', png(Buffer.alloc(36e6, chunk('iTXt', bytes()))), NONE],
-    ['a bomb of 200 MB', png(text([1, 0, 0, 0], packed(new Uint8Array(2e8)))), LARGE],
   ])('is refused in %s', async (_what, file, message) => {
     const before = process.resourceUsage().maxRSS;
     await expect(markupIn(file)).rejects.toThrow(message);

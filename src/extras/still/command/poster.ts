@@ -59,8 +59,8 @@ export async function drawPoster(
 }
 
 /** Why a file is not the poster of this source any more; null if it is. */
-export async function staleness(png: Uint8Array, source: PosterSource): Promise<string | null> {
-  const stamp = await stampOf(png);
+export function staleness(png: Uint8Array, source: PosterSource): string | null {
+  const stamp = stampOf(png);
   if (stamp === null) return 'was not made by this command';
   const own = Object.entries(sourceOf(source)).find(
     ([key, value]) => JSON.stringify(stamp[key]) !== JSON.stringify(value),
@@ -75,13 +75,13 @@ export async function staleness(png: Uint8Array, source: PosterSource): Promise<
 }
 
 /** Not there, or made by this command: no other file is written over. */
-export const isOwn = async (path: string) =>
-  !existsSync(path) || (await stampOf(readFileSync(path))) !== null;
+export const isOwn = (path: string): boolean =>
+  !existsSync(path) || stampOf(readFileSync(path)) !== null;
 
 /** It may be a stranger's: its values can be anything. */
-async function stampOf(png: Uint8Array): Promise<Stamp | null> {
+function stampOf(png: Uint8Array): Stamp | null {
   try {
-    const stamp = JSON.parse(await textIn(png, KEYWORD)) as Stamp | null;
+    const stamp = JSON.parse(textIn(png, KEYWORD)) as Stamp | null;
     return typeof stamp === 'object' ? stamp : null;
   } catch (error) {
     if (error instanceof PngTextError || error instanceof SyntaxError) return null;

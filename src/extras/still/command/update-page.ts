@@ -108,13 +108,13 @@ async function updateViewer(
     base: targets.base,
     version: settings.version,
   };
-  const { path, src } = out === null ? await targets.of(viewer) : { path: out, src: '' };
+  const { path, src } = out === null ? targets.of(viewer) : { path: out, src: '' };
   if (path === null) {
     say(`${at} left alone: ${src} was not made by this command.`);
     return [];
   }
   const edits = out === null ? viewer.withPoster(src, size) : [];
-  const stale = existsSync(path) ? await staleness(readFileSync(path), source) : 'is not there';
+  const stale = existsSync(path) ? staleness(readFileSync(path), source) : 'is not there';
   const name = out ?? src;
   if (check) {
     const fault =
@@ -178,13 +178,13 @@ class Targets {
   }
 
   /** `path` is null where the image in the page is not this command's. */
-  async of({ poster, name }: PageViewer): Promise<{ readonly path: string | null; src: string }> {
+  of({ poster, name }: PageViewer): { readonly path: string | null; readonly src: string } {
     if (this.base.protocol !== 'file:') {
       throw new Error(`<base href> leads to ${this.base.origin}: where its files are is unknown.`);
     }
     if (poster !== null && poster !== '') {
       const path = this.#pathOf(poster);
-      return { path: path !== null && (await isOwn(path)) ? path : null, src: poster };
+      return { path: path !== null && isOwn(path) ? path : null, src: poster };
     }
     const words = name.replaceAll(/[^\p{L}\p{N}_-]+/gu, '-').slice(0, 50);
     for (let i = 1; ; i++) {
@@ -192,7 +192,7 @@ class Targets {
       const path = join(this.#folder, `${this.#stem}.${words}${more}.png`);
       const src = relative(fileURLToPath(new URL('.', this.base)), path).replaceAll('\\', '/');
       const address = src.split('/').map(encodeURIComponent).join('/');
-      if (this.#taken.has(address) || !(await isOwn(path))) continue;
+      if (this.#taken.has(address) || !isOwn(path)) continue;
       this.#taken.add(address);
       return { path, src: address };
     }
