@@ -202,7 +202,13 @@ function cosineAt({ fragment, share: { NoL, RoV }, term, halfway }: TermAt): Fac
   const symbol = `max(${halfway ? 'N · H' : 'R · V'}, 0)^n`;
   if (NoL <= 0) return { symbol, value: grey(0), fact: { ...incidence, value: () => 0 } };
   const fact = cosine(halfway ? 'N,\u00a0H' : 'R,\u00a0V', RoV, exponent);
-  return { symbol, value: grey(RoV), clamped: true, exponent, fact };
+  return {
+    symbol,
+    value: grey(RoV),
+    clamped: true,
+    exponent: Number(exact(exponent)), // as it is shown
+    fact,
+  };
 }
 
 const grey = (x: number): Vec3 => [x, x, x];
@@ -241,14 +247,7 @@ function factorText({ value, exponent, clamped }: Factor, digits: number): strin
 const shownValue = (factor: Factor, digits: number, channel: number): number => {
   const texts = textsOf(factor.value, digits);
   const x = Number(texts[channel] ?? texts[0]);
-  const { exponent } = factor;
-  const value = grey(x);
-  return valueOf(
-    exponent === undefined
-      ? { ...factor, value }
-      : { ...factor, value, exponent: Number(exact(exponent)) },
-    0,
-  );
+  return valueOf({ ...factor, value: grey(x) }, 0);
 };
 
 /** Typographic minus, and the digits of the language. */
