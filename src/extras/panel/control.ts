@@ -14,7 +14,7 @@ import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
 import { clip } from '../../phong/fields/clip.js';
 import type { Field } from '../../phong/fields/field.js';
 import { sameValue } from '../../phong/fields/field-store.js';
-import { nearest } from '../../phong/fields/nearest.js';
+import { didYouMean } from '../../phong/fields/nearest.js';
 import { bound, type Bound } from './bound.js';
 import { rowOf, stepper } from './control-rows.js';
 import styles from './control.css?inline';
@@ -97,8 +97,7 @@ class Control extends ExtraElement<ControlValues> {
     );
     for (const id of this.#ids) {
       const found = this.byId(id);
-      const meant = nearest(id, present);
-      const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
+      const hint = didYouMean(id, present);
       if (found === null) {
         if (!this.#met.has(id)) {
           this.warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
@@ -108,12 +107,10 @@ class Control extends ExtraElement<ControlValues> {
           `${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`,
         );
       } else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
-        const word = nearest(attribute, attributesOf(found as Editable));
         const cure =
-          word === undefined
-            ? 'Write attribute="…", one of its attributes.'
-            : `Did you mean "${word}"?`;
-        this.warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
+          didYouMean(attribute, attributesOf(found as Editable)) ||
+          ' Write attribute="…", one of its attributes.';
+        this.warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}".${cure}`);
       }
     }
   }

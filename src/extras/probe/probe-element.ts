@@ -12,7 +12,7 @@ import {
 } from '../../viewer/extra.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { clip } from '../../phong/fields/clip.js';
-import { nearest } from '../../phong/fields/nearest.js';
+import { didYouMean } from '../../phong/fields/nearest.js';
 import { LightState } from '../../phong/light/light-state.js';
 import { NO_SURFACE, probeSum } from '../overlay/probe/sum.js';
 import {
@@ -143,11 +143,10 @@ class Probe extends ExtraElement<ProbeValues> {
       return;
     }
     const viewers = this.element.ownerDocument.querySelectorAll('phong-viewer');
-    const meant = nearest(
+    const hint = didYouMean(
       id,
       Array.from(viewers, (viewer) => viewer.id),
     );
-    const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
     this.warn(`${tag}: no viewer has the id "${clip(id)}".${hint}`);
   }
 

@@ -2,7 +2,7 @@
 // the field's own check, or undefined if the text is malformed. It never throws and never guesses.
 // Domains are checked by the fields.
 import { show, type Field, type FieldKind } from './field.js';
-import { nearest } from './nearest.js';
+import { didYouMean } from './nearest.js';
 import type { Vec3 } from '../math/vector.js';
 
 // Each digit matches in one way only, so that a long text that is not a number is refused in linear
@@ -95,8 +95,7 @@ export function valueWarning(
     ? fallback.join(' ')
     : (fallback as { toString(): string } | null);
   const instead = words?.toString() || 'none';
-  const meant =
-    typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
-  const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+  const hint =
+    typeof value === 'string' ? didYouMean(value.trim().toLowerCase(), choices ?? []) : '';
   return `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
 }

@@ -1,4 +1,5 @@
 // Finds the known word that was probably meant by a misspelled one.
+import { clip } from './clip.js';
 
 /**
  * Letters from which on a word may be misspelled twice. In shorter ones two edits make another
@@ -16,7 +17,7 @@ export const nearest = (word: string, words: readonly string[]): string | undefi
 /** The end of a message about `word`: a question, or nothing. */
 export function didYouMean(word: string, words: readonly string[]): string {
   const meant = nearest(word, words);
-  return meant === undefined ? '' : ` Did you mean "${meant}"?`;
+  return meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
 }
 
 /**
