@@ -8,6 +8,7 @@ import {
   assign,
   cameraOf,
   drag,
+  framesOf,
   holdBack,
   nextFrame,
   type PhongViewer,
@@ -75,7 +76,7 @@ test('drag, wheel, keys and properties move all viewers, with one event and fram
     await record(first, 'camera-change'),
     await record(second, 'camera-change'),
   ] as const;
-  const drawn = () => first.evaluate(({ stats }) => stats.frames);
+  const drawn = () => framesOf(first);
   const deeds: readonly (readonly [source: string, deed: () => Promise<unknown>])[] = [
     ['pointer', () => drag(page, [450, 100], [33, 17], { steps: 1 })],
     ['wheel', () => page.mouse.wheel(0, 70)],

@@ -1,20 +1,19 @@
 // Are round shapes as round as the screen shows, by default, in pictures, files and comparisons?
 // Also: a viewer keeps to its limit of triangles. The long form is release/long-forms.spec.ts.
 
-import { type ViewerLocator, expect, pixels, test } from '../../support/test.js';
-import { assign, cameraOf, type PhongViewer, record, set, settled } from '../support/viewer.js';
+import { expect, pixels, test } from '../../support/test.js';
+import {
+  assign,
+  cameraOf,
+  type PhongViewer,
+  record,
+  set,
+  settled,
+  trianglesOf,
+} from '../support/viewer.js';
 import { expectSmooth, filmZoom } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
-
-/** Triangles of the first mesh that is drawn. */
-const triangles = (viewer: ViewerLocator) =>
-  viewer.evaluate((element) => {
-    const mesh = element.scene.children[0] as unknown as {
-      geometry: { index: { count: number } | null };
-    };
-    return (mesh.geometry.index?.count ?? 0) / 3;
-  });
 
 /** Of a sphere. */
 const sphereOf = (segments: number) => 2 * segments * (segments / 2 - 1);
@@ -23,14 +22,14 @@ test('a sphere has the segments that its size and the camera need, and the camer
   mount,
 }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
-  expect(await triangles(viewer)).toBe(sphereOf(64));
+  expect(await trianglesOf(viewer)).toBe(sphereOf(64));
   const { radius } = await cameraOf(viewer);
   const counts: number[] = [];
   const views = [{ radius: 100 }, { radius: 0.501 }, { target: [0.5, 0, 0], radius: 0.2 }];
   for (const view of views) {
     await assign(viewer, view);
     await settled(viewer);
-    counts.push(await triangles(viewer));
+    counts.push(await trianglesOf(viewer));
   }
   // At 0.501 no outline is in view.
   expect(counts.slice(0, 2)).toEqual([sphereOf(16), sphereOf(64)]);
@@ -40,7 +39,7 @@ test('a sphere has the segments that its size and the camera need, and the camer
     await set(viewer, { segments, target: 'auto', radius: 'auto' });
     expect((await cameraOf(viewer)).radius).toBe(radius);
   }
-  expect(await triangles(viewer)).toBe(sphereOf(64));
+  expect(await trianglesOf(viewer)).toBe(sphereOf(64));
 });
 
 test('a file has the segments of its own size, and the picture keeps its own', async ({
@@ -59,7 +58,7 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   expect(Math.abs((await covered(120)) / share - 1)).toBeLessThan(0.004);
   await viewer.evaluate((element) => element.requestRender());
   await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(64));
+  expect(await trianglesOf(viewer)).toBe(sphereOf(64));
 });
 
 test('Gouraud and flat pictures keep the fixed number; so does a Phong one beside them', async ({
@@ -72,15 +71,15 @@ test('Gouraud and flat pictures keep the fixed number; so does a Phong one besid
     { width: 240, height: 120 },
   );
   const [left, right] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
-  await expect.poll(() => triangles(left)).toBe(await triangles(right));
-  const auto = await triangles(left);
+  await expect.poll(() => trianglesOf(left)).toBe(await trianglesOf(right));
+  const auto = await trianglesOf(left);
   expect(auto).toBeLessThan(sphereOf(64));
   await set(right, { shading: 'gouraud' });
   await settled(left);
-  expect([await triangles(left), await triangles(right)]).toEqual([sphereOf(64), sphereOf(64)]);
+  expect([await trianglesOf(left), await trianglesOf(right)]).toEqual([sphereOf(64), sphereOf(64)]);
   await set(right, { shading: 'phong' });
   await settled(left);
-  expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
+  expect([await trianglesOf(left), await trianglesOf(right)]).toEqual([auto, auto]);
 });
 
 test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({

@@ -4,7 +4,7 @@
 import { expect, pixels, same, test } from '../../support/test.js';
 import { fullOr } from '../../support/repeats.js';
 import { installFaults, type Opening } from './faults.js';
-import { canvasSize, nextFrame, record, settled, statsOf } from '../support/viewer.js';
+import { canvasSize, framesOf, nextFrame, record, settled } from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90 };
 const box =
@@ -182,7 +182,7 @@ test('a picture larger than the GPU allows keeps its shape, with four screens of
   const [side, height] = await canvasSize(first);
   expect(side).toBe(height);
   expect((side * height) / fourScreens).toBeCloseTo(1, 2);
-  expect((await statsOf(first)).frames).toBe(1);
+  expect(await framesOf(first)).toBe(1);
   const viewer = await mount(box.repeat(2), SIZE);
   for (const [width, height] of [
     [20000, 100],

@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { type ViewerLocator, compare, expect, pixels, test } from '../../support/test.js';
-import { type PhongViewer, settled, statsOf, assign } from '../support/viewer.js';
+import { type PhongViewer, framesOf, settled, assign } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const LIGHT = '<phong-light position="1 2 3 0"></phong-light>';
@@ -79,10 +79,10 @@ for (const [change, make] of Object.entries(CHANGES)) {
     await settled(viewer);
     expect(compare(lit, await pixels(viewer)).max).toBeGreaterThan(0);
     await setLinking(page, true);
-    const { frames } = await statsOf(viewer);
+    const frames = await framesOf(viewer);
     await viewer.evaluate((element) => (element.lights[0]!.diffuse = [9, 99, 9]));
     await settled(viewer);
-    expect((await statsOf(viewer)).frames).toBe(frames + 1);
+    expect(await framesOf(viewer)).toBe(frames + 1);
   });
 }
 
@@ -96,7 +96,7 @@ test('a file is drawn at once, and a program that never answers holds no picture
   await assign(viewer, { reflection: 'blinn-phong' });
   expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
   await assign(viewer, { shading: 'gouraud' });
-  const { frames } = await statsOf(viewer);
+  const frames = await framesOf(viewer);
   await settled(viewer);
-  expect((await statsOf(viewer)).frames).toBe(frames + 1);
+  expect(await framesOf(viewer)).toBe(frames + 1);
 });

@@ -1,17 +1,15 @@
 // Does the page rest while nothing changes? Counts frames, timers and WebGL calls from outside
 // (counting.ts).
 
-import { type ViewerLocator, allReady, expect, test } from '../../support/test.js';
+import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, spentBetween, expectIdle } from '../support/counting.js';
-import { assign, drag, nextFrame, type PhongViewer, record, statsOf } from '../support/viewer.js';
+import { assign, drag, framesOf, nextFrame, type PhongViewer, record } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
 test.beforeEach(({ page }) => countEverything(page));
-
-const framesOf = async (viewer: ViewerLocator) => (await statsOf(viewer)).frames;
 
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;

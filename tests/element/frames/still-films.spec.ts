@@ -4,7 +4,7 @@
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn, expectIdle } from '../support/counting.js';
 import { film, keepPixels, viewerOf } from '../support/film.js';
-import { assign, nextFrame, samplesOf, set, settled, statsOf } from '../support/viewer.js';
+import { assign, framesOf, nextFrame, samplesOf, set, settled } from '../support/viewer.js';
 
 const size = { width: 64, height: 48 };
 
@@ -18,7 +18,7 @@ test('a converging picture keeps its brightness, changes in outlines only, never
     ['beside another', viewerOf(16)],
   ] as const) {
     const viewer = await mount(viewerOf(64) + other, { ...size, waitForReady: false });
-    await expect.poll(async () => (await statsOf(viewer)).frames).toBeGreaterThan(0);
+    await expect.poll(() => framesOf(viewer)).toBeGreaterThan(0);
     const rolling = await film(viewer, 40);
     await allReady(page);
     await nextFrame(page);

@@ -12,6 +12,7 @@ import {
   set,
   settled,
   statsOf,
+  trianglesOf,
 } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
@@ -208,19 +209,10 @@ test('samples of a round shape have more triangles than the plain picture, which
   mount,
 }) => {
   const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
-  const triangles = () =>
-    viewer.evaluate((element) => {
-      let count = 0;
-      element.scene.traverse((object) => {
-        count +=
-          ((object as { geometry?: { index: { count: number } } }).geometry?.index.count ?? 0) / 3;
-      });
-      return count;
-    });
-  const plain = await triangles();
+  const plain = await trianglesOf(viewer);
   await assign(viewer, { antialias: 'full' });
   await converged(viewer);
-  expect((await triangles()) / plain).toBeGreaterThan(2);
+  expect((await trianglesOf(viewer)) / plain).toBeGreaterThan(2);
   await set(viewer, { antialias: 'edges' });
-  expect(await triangles()).toBe(plain);
+  expect(await trianglesOf(viewer)).toBe(plain);
 });

@@ -1,16 +1,15 @@
 // What does a viewer do while it is out of view, for each value of `loading`? Screen and window are
 // 700 px high.
 
-import { type ViewerLocator, allReady, expect, test } from '../../support/test.js';
+import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, expectIdle } from '../support/counting.js';
-import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { assign, framesOf, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 import { requestsOf } from '../../support/requests.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
 const viewer = (attributes = '') =>
   `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
-const frames = (element: ViewerLocator) => element.evaluate(({ stats }) => stats.frames);
 const above = (height: number) => `main { padding: ${height}px 0 5000px }`;
 
 test.beforeEach(({ page }) => countEverything(page));
@@ -58,7 +57,7 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
   mount,
 }) => {
   const near = await mount(`<main>${viewer()}</main>`, { ...size, css: above(700 + 650) });
-  expect(await frames(near)).toBe(1);
+  expect(await framesOf(near)).toBe(1);
   const requests = requestsOf(page);
   const later = '/fixtures/models/textured.glb';
   const auto = await mount(
@@ -71,19 +70,19 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
     await assign(auto, { theta });
   }
   await nextFrame(page);
-  expect([await frames(auto), await frames(lazy), requests.join().includes(later)]).toEqual([
+  expect([await framesOf(auto), await framesOf(lazy), requests.join().includes(later)]).toEqual([
     0,
     0,
     false,
   ]);
   for (const top of [100, 0, 100]) {
     await page.evaluate((y) => scrollTo(0, y), top);
-    await expect.poll(() => frames(auto)).toBe(1);
+    await expect.poll(() => framesOf(auto)).toBe(1);
     await nextFrame(page);
   }
-  expect(await frames(auto), 'an unchanged picture is drawn once').toBe(1);
+  expect(await framesOf(auto), 'an unchanged picture is drawn once').toBe(1);
   await expect.poll(() => lazy.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
-  await expect.poll(() => frames(lazy)).toBeGreaterThan(0);
+  await expect.poll(() => framesOf(lazy)).toBeGreaterThan(0);
 });
 
 test('eager draws off screen, and is ready when it is drawn', async ({ page, mount }) => {
@@ -92,7 +91,7 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
     css: above(9000),
   });
   const auto = page.locator('phong-viewer').last();
-  expect([await frames(eager), await frames(auto)]).toEqual([1, 0]);
+  expect([await framesOf(eager), await framesOf(auto)]).toEqual([1, 0]);
   const drawn = await eager.evaluate(async (element) => {
     element.theta = 50;
     await element.ready;
@@ -101,11 +100,11 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
   expect(drawn).toBe(2);
   await assign(auto, { loading: 'eager' });
   await settled(auto);
-  expect(await frames(auto)).toBe(1);
+  expect(await framesOf(auto)).toBe(1);
   await assign(eager, { loading: 'auto' });
   await assign(eager, { theta: 70 });
   await settled(eager);
-  expect(await frames(eager)).toBe(2);
+  expect(await framesOf(eager)).toBe(2);
 });
 
 test('what scrolling cannot show is not drawn, eager or in a closed accordion nearby', async ({
@@ -122,7 +121,7 @@ test('what scrolling cannot show is not drawn, eager or in a closed accordion ne
     await nextFrame(page);
     await assign(inside, { kd: [9, 9, 9] });
     await nextFrame(page);
-    expect(await frames(inside), css).toBe(0);
+    expect(await framesOf(inside), css).toBe(0);
   }
 });
 
@@ -134,7 +133,7 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   );
   const both = [first, page.locator('phong-viewer').last()];
   for (const one of both) {
-    expect(await frames(one)).toBe(1);
+    expect(await framesOf(one)).toBe(1);
   }
   await nextFrame(page);
   await expectIdle(page, 300);
@@ -143,12 +142,12 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   }
   await nextFrame(page);
   for (const one of both) {
-    expect(await frames(one)).toBe(2);
+    expect(await framesOf(one)).toBe(2);
   }
   await expectIdle(page, 300);
   await page.evaluate(() => scrollTo(0, 1000));
   for (const one of both) {
-    await expect.poll(() => frames(one)).toBeGreaterThan(4);
+    await expect.poll(() => framesOf(one)).toBeGreaterThan(4);
   }
 });
 
@@ -167,7 +166,7 @@ test('the next pictures of a carousel are drawn before they come into view', asy
     await nextFrame(page);
     await nextFrame(page);
     const all = await page.locator('phong-viewer').all();
-    const counts = async () => Promise.all(all.map(frames));
+    const counts = async () => Promise.all(all.map(framesOf));
     // Slides 1 and 2 lie within 700 px of the visible one, which alone moves.
     await expect.poll(async () => (await counts())[0]).toBeGreaterThan(3);
     expect((await counts()).slice(1), overflow).toEqual([1, 1, 0, 0]);
@@ -198,15 +197,15 @@ test('in an iframe the same holds; nothing moves while the iframe itself is out 
   const inside = page.frameLocator('iframe').locator('phong-viewer');
   await nextFrame(page);
   await nextFrame(page);
-  expect(await frames(inside.last())).toBe(1);
-  const turned = await frames(inside.first());
-  await expect.poll(() => frames(inside.first())).toBeGreaterThan(turned + 2);
+  expect(await framesOf(inside.last())).toBe(1);
+  const turned = await framesOf(inside.first());
+  await expect.poll(() => framesOf(inside.first())).toBeGreaterThan(turned + 2);
   await page.evaluate(() => scrollTo(0, 3000));
   await nextFrame(page);
   await nextFrame(page);
-  const rest = await frames(inside.first());
+  const rest = await framesOf(inside.first());
   await expectIdle(page, 300);
-  expect(await frames(inside.first())).toBe(rest);
+  expect(await framesOf(inside.first())).toBe(rest);
 });
 
 test('during scrolling no viewer in view is blank for more than a frame', async ({

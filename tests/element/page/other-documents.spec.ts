@@ -15,6 +15,7 @@ import { decodePng } from '../../support/picture.js';
 import {
   cameraOf,
   drag,
+  framesOf,
   nextFrame,
   type PhongViewer,
   set,
@@ -96,7 +97,7 @@ test('lights and meshes move with the viewer into an iframe, whose media queries
     return { lightsDeclared, lightsActive, meshes: moved.meshes.length };
   });
   expect(facts).toEqual({ lightsDeclared: 3, lightsActive: 3, meshes: 1 });
-  const frames = () => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const frames = () => framesOf(inside);
   const before = await frames();
   const left = await inside.evaluate((element: PhongViewer) => {
     element.lights[0]!.remove();
@@ -285,7 +286,7 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     Object.assign(element, { title: '', probe: false }),
   );
   // Below the fold it is drawn for print.
-  const frames = () => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const frames = () => framesOf(inside);
   await inside.evaluate((element: PhongViewer) => {
     element.style.marginTop = '5000px';
     // Its own observer, which is older, hears of the place first.

@@ -14,12 +14,27 @@ export const cameraOf = (viewer: ViewerLocator): Promise<CameraState> =>
 export const statsOf = (viewer: ViewerLocator): Promise<PhongViewer['stats']> =>
   viewer.evaluate((element) => element.stats);
 
+/** The frames that the viewer has drawn. */
+export const framesOf = async (viewer: ViewerLocator): Promise<number> =>
+  (await statsOf(viewer)).frames;
+
 /** The samples of the picture that is shown. */
 export const samplesOf = async (viewer: ViewerLocator): Promise<number> =>
   (await statsOf(viewer)).samples;
 
 export const htmlOf = (viewer: ViewerLocator): Promise<string> =>
   viewer.evaluate((element) => element.toHTML());
+
+/** The triangles of all meshes that are drawn and have an index. */
+export const trianglesOf = (viewer: ViewerLocator): Promise<number> =>
+  viewer.evaluate((element) => {
+    let corners = 0;
+    element.scene.traverse((object) => {
+      const { geometry } = object as { geometry?: { index: { count: number } | null } };
+      corners += geometry?.index?.count ?? 0;
+    });
+    return corners / 3;
+  });
 
 /** Width and height in device pixels; -1 without a canvas. */
 export const canvasSize = (
