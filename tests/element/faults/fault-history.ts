@@ -9,7 +9,7 @@ import { type ConsoleGuard, isRemark } from '../../support/console-guard.js';
 import { installFaultDeeds } from './fault-deeds.js';
 import { randomFaults } from './fault-steps.js';
 import { installFaults } from './faults.js';
-import { failWithShortest } from '../histories/history-shortest.js';
+import { playSeeds } from '../histories/history-shortest.js';
 import type { Scenario } from '../histories/history-steps.js';
 import { nextFrame } from '../support/viewer.js';
 
@@ -114,10 +114,7 @@ interface Fixtures {
   readonly consoleGuard: ConsoleGuard;
 }
 
-/**
- * Plays the histories of these seeds. Throws the first fault, with the shortest history that still
- * has one.
- */
+/** Plays the histories of these seeds. Throws the first fault. */
 export async function expectRecovery(
   { page, mount, consoleGuard }: Fixtures,
   seeds: readonly number[],
@@ -126,11 +123,9 @@ export async function expectRecovery(
   consoleGuard.allow(/^/); // the player reads the console itself
   const player = new FaultPlayer(page, mount);
   await player.start();
-  for (const seed of seeds) {
-    const history = randomFaults(seed, tasks, withLargest);
-    const fault = await player.play(history);
-    if (fault !== null) {
-      await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
-    }
-  }
+  await playSeeds(
+    seeds,
+    (seed) => randomFaults(seed, tasks, withLargest),
+    (history) => player.play(history),
+  );
 }

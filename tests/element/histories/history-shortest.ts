@@ -1,20 +1,33 @@
-// Reduces a failing history by fast-check: leaves out viewers and steps, and plays the rest again
-// each time.
+// Plays histories, and reduces a failing one by fast-check: leaves out viewers and steps, and plays
+// the rest again each time.
 import fc from 'fast-check';
 import type { Scenario } from './history-steps.js';
 
 /** Milliseconds for reducing a failing history. */
 const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);
 
+/** Returns the fault, or null. */
+type Play = (scenario: Scenario) => Promise<string | null>;
+
 /**
- * Throws an error with this message and a shorter history that still fails. `play` returns the
- * fault, or null.
+ * Plays the histories of these seeds. Throws the first fault, with a shorter history that still has
+ * one.
  */
-export async function failWithShortest(
-  message: string,
-  { begins, tasks }: Scenario,
-  play: (scenario: Scenario) => Promise<string | null>,
-): Promise<never> {
+export async function playSeeds(
+  seeds: readonly number[],
+  historyOf: (seed: number) => Scenario,
+  play: Play,
+): Promise<void> {
+  for (const seed of seeds) {
+    const history = historyOf(seed);
+    const fault = await play(history);
+    if (fault !== null) {
+      await failWithShortest(`seed ${seed}, ${fault}`, history, play);
+    }
+  }
+}
+
+async function failWithShortest(message: string, { begins, tasks }: Scenario, play: Play) {
   // Two viewers can begin alike.
   const viewers = begins.map((markup) => ({ markup }));
   const parts = [...viewers, ...tasks.flatMap(({ steps }) => steps)];

@@ -10,7 +10,7 @@ import type { Step } from './history-deeds.js';
 import { type Began, type Rest, walkOn } from './history-page.js';
 import type { Drawn } from './history-watch.js';
 import { type Mix, randomHistory, type Scenario } from './history-steps.js';
-import { failWithShortest } from './history-shortest.js';
+import { playSeeds } from './history-shortest.js';
 
 const SIZE = { width: 72, height: 52 };
 const STYLE = `
@@ -277,10 +277,7 @@ interface Fixtures {
   readonly consoleGuard: ConsoleGuard;
 }
 
-/**
- * Plays the histories of these seeds with `looks` looks each. Throws the first fault, with the
- * shortest history that still has one.
- */
+/** Plays the histories of these seeds with `looks` looks each. Throws the first fault. */
 export async function expectAsNew(
   { page, mount, site, consoleGuard }: Fixtures,
   seeds: readonly number[],
@@ -290,13 +287,11 @@ export async function expectAsNew(
   consoleGuard.allow(EXPECTED);
   await walkOn(page);
   const player = new Player(page, mount, site);
-  for (const seed of seeds) {
-    const history = randomHistory(seed, looks, mix);
-    const fault = await player.play(history);
-    if (fault !== null) {
-      await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
-    }
-  }
+  await playSeeds(
+    seeds,
+    (seed) => randomHistory(seed, looks, mix),
+    (history) => player.play(history),
+  );
   const { looks: looked, same, specialised, between } = player.findings;
   console.log(
     `Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`,
