@@ -1,7 +1,7 @@
 // Does a page with many viewers cost no more than its visible part? One context, one frame, copies
 // of changed pictures, bounded pixels.
 
-import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, spentBetween, expectIdle } from '../support/counting.js';
 import { redsShown, reddening, scrollThrough } from './many-viewers.js';
 import { nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
@@ -118,36 +118,6 @@ test('the context opens with the first visible picture, at its size', async ({ p
   await expect.poll(async () => (await redsShown(page)).every((red) => red >= 0)).toBe(true);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 16 });
   expect(await page.evaluate(() => window.resized)).toBe(0);
-});
-
-test('pictures of any sizes side by side look the same as alone', async ({ page, mount }) => {
-  const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // oxfmt-ignore
-  const css = sizes
-    .map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`)
-    .join('\n');
-  const markup = sizes.map(
-    ([w], i) =>
-      `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
-  );
-  await mount(markup.join(''), { ...small, css });
-  for (const [i, [width, height]] of sizes.entries()) {
-    const viewer = page.locator(`#v${i}`);
-    const shown = await viewer.evaluate(({ shadowRoot }) => {
-      const canvas = shadowRoot!.querySelector('canvas')!;
-      const { width, height } = canvas;
-      return {
-        width,
-        height,
-        data: canvas.getContext('2d')!.getImageData(0, 0, width, height).data,
-      };
-    });
-    const picture = await pixels(viewer, { width, height });
-    // To the bit on software GL, wherever on the sheet it lies.
-    expect(
-      compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max,
-      `${width} × ${height}`,
-    ).toBe(0);
-  }
 });
 
 test('viewers scrolled past free their pixels, and get them back; all are printed', async ({

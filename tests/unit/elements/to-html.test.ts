@@ -29,6 +29,16 @@ it('toHTML keeps id, class, style, wrappers and the order of the children', asyn
   );
 });
 
+it('toHTML writes all that is declared', async () => {
+  const markup = `<phong-viewer alt="A &#34;scene&#34; &#38; &#60;more&#62;" theta="30" phi="70" radius="auto" target="auto" fov="50" orbit="false" auto-rotate="0" shading="flat" terms="ambient diffuse" color-interpolation="linear" antialias="full">
+  <phong-mesh name="a&#34;b" kd="220 100 50" shininess="7" geometry="torus" rotation="10 20 30"></phong-mesh>
+  <phong-mesh geometry="plane" position="0 -0.5 0" scale="3 3 3" shading="gouraud" reflection="blinn-phong"></phong-mesh>
+  <phong-light name="sun" ambient="20 20 25" diffuse="180 180 170" position="1 2 1 0"></phong-light>
+  <phong-light active="false" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
+</phong-viewer>`;
+  expect((await onPage(markup)).toHTML()).toBe(markup);
+});
+
 it('toHTML writes auto until the camera moves, and as many digits as the picture needs', async () => {
   const viewer = await onPage(
     '<phong-viewer alt="" geometry="box"><phong-light></phong-light></phong-viewer>',
