@@ -5,7 +5,7 @@ import { clamp, scale, type Vec3 } from '../../../phong/math/vector.js';
 import type { SurfaceValues } from '../../../phong/material/material-values.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
 import type { Slices } from '../slices.js';
-import { TextScanner } from '../text/text-scanner.js';
+import { NAME_LENGTH, TextScanner } from '../text/text-scanner.js';
 
 export interface MtlMaterial {
   /** What the file gives of Ka, Kd, Ks and the exponent; Ka is Kd if it gives that alone. */
@@ -97,9 +97,6 @@ export async function readMtl(
 
 /** A library with a Ka or Kd above this counts to 255. Less may be a bright colour. */
 const MOST_BRIGHT = 16;
-
-/** Longest name of a material in bytes, as in the OBJ file. */
-const NAME_LENGTH = 256;
 
 function readStatement(
   keyword: string,

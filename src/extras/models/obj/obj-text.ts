@@ -5,7 +5,7 @@ import { requireAtMost } from '../../../phong/model/budget.js';
 import { LIMITS } from '../../../phong/model/limits.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
 import type { Slices } from '../slices.js';
-import { TextScanner } from '../text/text-scanner.js';
+import { NAME_LENGTH, TextScanner } from '../text/text-scanner.js';
 import { unquoted } from './mtl.js';
 import {
   CornerLists,
@@ -306,9 +306,6 @@ const KINDS = [
   ['uv', 'texture coordinate'],
   ['normal', 'normal'],
 ] as const;
-
-/** Longest name of an object or material in bytes. */
-const NAME_LENGTH = 256;
 
 function smoothingOf(group: number): number {
   // `off`, `0` and anything that is not a number mean no group.

@@ -11,7 +11,7 @@ import { LIMITS } from '../../../phong/model/limits.js';
 import type { ContentPart } from '../../../phong/model/model.js';
 import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { Slices } from '../slices.js';
-import { TextScanner } from '../text/text-scanner.js';
+import { NAME_LENGTH, TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import { holdsTriangles, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 
@@ -147,13 +147,8 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
   const corners = places.count;
   budget.add({ parts: 1, corners, values: corners * (colorOf === null ? 6 : 9) });
   const geometry = new BufferGeometry();
-  const filled = places.array.length === 3 * corners;
-  const positions = filled ? places.array : new Float32Array(3 * corners);
-  if (!filled) {
-    await slices.over(3 * corners, (from, to) =>
-      positions.set(places.array.subarray(from, to), from),
-    );
-  }
+  // What lies behind them was never written, so it takes no memory.
+  const positions = places.array.subarray(0, 3 * corners);
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', await faceNormals(positions, slices));
   if (colorOf !== null) {
@@ -335,9 +330,6 @@ class StlTextReader {
  */
 const NAME_SEARCH = 1024;
 const NAME_WORK = 4;
-
-/** Longest name of a solid in bytes. */
-const NAME_LENGTH = 256;
 
 /**
  * What ends a name where the file has no lines: words of the format that no name would have in this

@@ -23,6 +23,9 @@ const NUMBER_LENGTH = 400;
 /** Longest line, word or gap in bytes, 4 MiB: each is skipped in one task. */
 const LONGEST = 2 ** 22;
 
+/** Longest name of a solid, an object or a material in bytes. */
+export const NAME_LENGTH = 256;
+
 export class TextScanner {
   readonly #bytes: Uint8Array;
   /** Position of the next byte. */
