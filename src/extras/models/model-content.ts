@@ -181,13 +181,13 @@ const CLIMBS = /%(25)*(2f|5c)|(^|\/)(\.|%(25)*2e){2}(;|%(25)*3b|\/|$)/i;
  * @throws ModelError `load-failed` if it is not allowed, or no address.
  */
 export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
-  const url = parsed(uri, model);
-  if (!url) {
+  if (!URL.canParse(uri, model)) {
     throw new ModelError(
       'load-failed',
       `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`,
     );
   }
+  const url = new URL(uri, model);
   if (anywhere && /^https?:$/.test(url.protocol)) return url;
   const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
   const below =
@@ -203,12 +203,4 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   throw new ModelError('load-failed', fact, {
     advice: 'Put it beside the model, or set crossorigin to allow it.',
   });
-}
-
-function parsed(uri: string, base: URL): URL | null {
-  try {
-    return new URL(uri, base);
-  } catch {
-    return null;
-  }
 }

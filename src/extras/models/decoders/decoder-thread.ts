@@ -101,7 +101,11 @@ export class DecoderThread<Job, Result> {
       worker = this.#worker?.() ?? null;
       if (worker === null) return null;
       await answerOf(worker, setup);
-      return sessionOf(worker);
+      const started = worker;
+      return {
+        decode: (job, signal) => answerOf(started, job, signal),
+        end: () => started.terminate(),
+      };
     } catch {
       worker?.terminate();
       return null;
@@ -119,11 +123,6 @@ export class DecoderThread<Job, Result> {
     this.#session = null;
   }
 }
-
-const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
-  decode: (job, signal) => answerOf<Result>(worker, job, signal),
-  end: () => worker.terminate(),
-});
 
 /** The bytes at an address; the address itself where the decoder has to say what is wrong. */
 async function bytesOr(address: string, signal: AbortSignal): Promise<unknown> {

@@ -16,9 +16,9 @@ import { writeFaceNormals } from '../../../phong/material/flat-geometry.js';
 import type { Slices } from '../slices.js';
 import { type Attribute, requireCoordinates } from './attributes.js';
 
-/** The attributes that move, with their numbers per vertex. */
-const STRIDES = { position: 3, normal: 3, tangent: 4 } as const;
-type MovingName = keyof typeof STRIDES;
+/** The attributes that move. */
+const MOVING = ['position', 'normal', 'tangent'] as const;
+type MovingName = (typeof MOVING)[number];
 
 /** What a morph target adds to each vertex at weight 1: plain floats, three per vertex. */
 export type MorphTarget = Readonly<Partial<Record<MovingName, Attribute | undefined>>>;
@@ -39,7 +39,6 @@ interface Rig {
 /** An attribute that moves. */
 interface Moving {
   readonly name: MovingName;
-  readonly stride: number;
   /** As in the file. */
   readonly rest: Float32Array;
   readonly attribute: BufferAttribute;
@@ -74,18 +73,16 @@ export class Deformation {
   constructor(geometry: BufferGeometry, rig: Rig) {
     this.#geometry = geometry;
     this.#rig = rig;
-    this.#moving = (Object.keys(STRIDES) as MovingName[]).flatMap((name) => {
+    this.#moving = MOVING.flatMap((name) => {
       if (!geometry.hasAttribute(name)) return [];
       const shared = geometry.getAttribute(name) as BufferAttribute;
       // Other geometries can share the attribute.
       const attribute = shared.clone();
       geometry.setAttribute(name, attribute);
-      return { name, stride: STRIDES[name], rest: shared.array as Float32Array, attribute };
+      return { name, rest: shared.array as Float32Array, attribute };
     });
-    const own = (wanted: MovingName) =>
-      (this.#moving.find(({ name }) => name === wanted)?.attribute.array as
-        | Float32Array
-        | undefined) ?? null;
+    const own = (name: MovingName) =>
+      (geometry.attributes[name]?.array ?? null) as Float32Array | null;
     this.#position = own('position')!;
     this.#normal = own('normal');
     this.#tangent = own('tangent');
@@ -258,8 +255,9 @@ export class Deformation {
   }
 
   #morph(from: number, to: number): void {
-    for (const { name, stride, rest, attribute } of this.#moving) {
+    for (const { name, rest, attribute } of this.#moving) {
       const values = attribute.array as Float32Array;
+      const stride = attribute.itemSize;
       values.set(rest.subarray(from * stride, to * stride), from * stride);
       this.#rig.targets.forEach((target, i) =>
         add(target[name], this.#rig.weights[i]!, values, stride, from, to),

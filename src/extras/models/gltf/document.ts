@@ -376,14 +376,8 @@ function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): Rea
 
 /** The nodes of the scene, and the joints of the skins that are drawn, which may lie outside it. */
 function withJoints(drawn: readonly GltfNode[], inScene: ReadonlySet<number>): ReadonlySet<number> {
-  const shown = new Set(inScene);
-  const skins = new Set(drawn.map(({ skin }) => skin));
-  for (const skin of skins) {
-    for (const joint of skin?.joints ?? []) {
-      shown.add(joint);
-    }
-  }
-  return shown;
+  const skins = [...new Set(drawn.map(({ skin }) => skin))];
+  return new Set([...inScene, ...skins.flatMap((skin) => skin?.joints ?? [])]);
 }
 
 /**
@@ -400,9 +394,7 @@ function requireTree(children: readonly (readonly number[])[]): void {
   let level = [...children.keys()].filter((node) => !below.has(node));
   for (let depth = 1; level.length > 0; depth += 1) {
     requireAtMost(depth, DEPTH_LIMIT, 'levels of nodes inside nodes');
-    for (const node of level) {
-      reached.add(node);
-    }
+    level.forEach((node) => reached.add(node));
     level = level.flatMap((node) => children[node]!);
   }
   const cyclic = [...children.keys()].find((node) => !reached.has(node));

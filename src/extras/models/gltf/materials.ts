@@ -101,14 +101,8 @@ export function readMaterials(
     const metallic =
       GLOSSY in extensions ? {} : optionalObject(material['pbrMetallicRoughness'], what);
     const specular = optionalObject(extensions['KHR_materials_specular'], what);
-    if ('occlusionTexture' in material) {
-      dropped.add('occlusionTexture');
-    }
-    if ('specularGlossinessTexture' in glossy) {
-      dropped.add('specularGlossinessTexture');
-    }
-    for (const name of ['specularTexture', 'specularColorTexture']) {
-      if (name in specular) {
+    for (const name of NOT_SHOWN) {
+      if ([material, glossy, specular].some((object) => name in object)) {
         dropped.add(name);
       }
     }
@@ -148,6 +142,14 @@ export function readMaterials(
     return { ...read, uses, uvSets: movedUvSets(uses) };
   });
 }
+
+/** Textures of a material and of its extensions that the equation has no place for. */
+const NOT_SHOWN = [
+  'occlusionTexture',
+  'specularGlossinessTexture',
+  'specularTexture',
+  'specularColorTexture',
+];
 
 /**
  * Gives the uses of sets above the fourth one of the first four that the material does not use.
