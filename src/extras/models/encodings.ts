@@ -27,7 +27,7 @@ export async function decodeDataUri(uri: string, slices: Slices): Promise<FileBy
 }
 
 /** What stands before the comma. */
-export function dataHeader(header: string): { readonly type: string; readonly base64: boolean } {
+export function dataHeader(header: string) {
   const [type, ...parameters] = header.slice('data:'.length).split(';');
   return {
     type: (type ?? '').trim().toLowerCase() || 'text/plain',

@@ -16,7 +16,7 @@ export async function findNormals(
   corners: ArrayLike<number> | null,
   total: number,
   slices: Slices,
-): Promise<{ readonly some: boolean; readonly all: boolean }> {
+) {
   let [some, all] = [false, true];
   const vertexOf = (corner: number) => (corners === null ? corner : corners[corner]!);
   const [face, normal] = [new Float32Array(9), new Float32Array(9)];

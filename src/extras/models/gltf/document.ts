@@ -13,6 +13,7 @@ import { extensionsLeftOut, unreadable, VISIBILITY } from './extensions.js';
 import { type Instances, readInstances } from './instances.js';
 import {
   indexAt,
+  optionalIndex,
   listAt,
   numberAt,
   numbersAt,
@@ -174,14 +175,11 @@ function readSkins(
     const joints = shortListAt(skin['joints'], listName).map((joint) =>
       indexAt(joint, nodeCount, listName),
     );
-    if (skin['inverseBindMatrices'] === undefined) {
-      return { index: i, joints, inverseBindMatrices: undefined };
-    }
-    const inverseBindMatrices = accessors.at(
-      skin['inverseBindMatrices'],
-      `${what}.inverseBindMatrices`,
-    );
-    if (inverseBindMatrices.components !== 16 || inverseBindMatrices.count < joints.length) {
+    const given = skin['inverseBindMatrices'];
+    const inverseBindMatrices =
+      given === undefined ? undefined : accessors.at(given, `${what}.inverseBindMatrices`);
+    const { components = 16, count = joints.length } = inverseBindMatrices ?? {};
+    if (components !== 16 || count < joints.length) {
       throw new Error(`${what} has too few matrices`);
     }
     return { index: i, joints, inverseBindMatrices };
@@ -250,11 +248,9 @@ async function readNodes(
   const defs = objectsAt(json['nodes'], 'nodes');
   const nodes = await slices.map(defs, (node, i): GltfNode => {
     const what = `nodes[${String(i)}]`;
-    const index =
-      node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
+    const index = optionalIndex(node['mesh'], meshes.length, `${what}.mesh`);
     const mesh = index === undefined ? undefined : meshes[index];
-    const skin =
-      node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
+    const skin = optionalIndex(node['skin'], skins.length, `${what}.skin`);
     const instances = readInstances(node, accessors, what, dropped);
     const { targets = 0, bound = false, weights: fallback = [] } = mesh ?? {};
     const primitives = instances?.count === 0 ? [] : (mesh?.primitives ?? []);

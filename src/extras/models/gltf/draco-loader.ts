@@ -84,7 +84,7 @@ export function checkDracoHeader(bytes: Uint8Array, { corners, vertices }: Draco
 const MESH = 1;
 const HAS_METADATA = 0x8000;
 
-function meshSize(bytes: Uint8Array): { readonly faces: number; readonly points: number } {
+function meshSize(bytes: Uint8Array) {
   const reader = new Reader(bytes);
   if (String.fromCharCode(...bytes.subarray(0, 5)) !== 'DRACO') {
     throw new Error('its Draco data is broken');

@@ -65,6 +65,10 @@ export function indexAt(value: unknown, length: number, what: string): number {
   throw new Error(`${what} is ${String(index)}, but there are only ${String(length)}`);
 }
 
+/** As {@link indexAt}; an absent value stays absent. */
+export const optionalIndex = (value: unknown, length: number, what: string) =>
+  value === undefined ? undefined : indexAt(value, length, what);
+
 /** Exactly `length` finite numbers, or undefined if absent. */
 export function numbersAt(
   value: unknown,

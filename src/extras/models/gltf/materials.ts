@@ -12,6 +12,7 @@ import type { Slices } from '../slices.js';
 import {
   countAt,
   indexAt,
+  optionalIndex,
   numberAt,
   numbersAt,
   objectsAt,
@@ -50,7 +51,7 @@ export function readTextures(
     const source = WEBP in extensions ? sourceOf(WEBP) : (texture['source'] ?? sourceOf(KTX2));
     const sampler = texture['sampler'];
     return {
-      image: source === undefined ? undefined : indexAt(source, images, `${what}.source`),
+      image: optionalIndex(source, images, `${what}.source`),
       needs: Object.keys(extensions)[0],
       sampler:
         sampler === undefined ? {} : (samplers[indexAt(sampler, samplers.length, what)] ?? {}),

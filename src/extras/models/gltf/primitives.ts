@@ -7,6 +7,7 @@ import type { GltfMaterial } from './materials.js';
 import {
   countAt,
   indexAt,
+  optionalIndex,
   namesIn,
   objectAt,
   objectsAt,
@@ -112,10 +113,7 @@ function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
   const { accessors, materials } = context;
-  const material =
-    primitive['material'] === undefined
-      ? undefined
-      : indexAt(primitive['material'], materials.length, 'material');
+  const material = optionalIndex(primitive['material'], materials.length, 'material');
   const nameOf = (written: string) => drawnName(written, materials[material ?? -1]);
   const written = objectAt(primitive['attributes'], 'attributes');
   const attributes = namesIn(written, 'attributes').flatMap((writtenName) => {
@@ -228,7 +226,7 @@ function readDraco(
   wanted: JsonObject,
   nameOf: (written: string) => string,
   context: PrimitiveContext,
-): { bufferView: number; attributes: JsonObject } {
+) {
   const attributes = Object.create(null) as Record<string, number>;
   const ids = objectAt(extension['attributes'], DRACO);
   for (const written of namesIn(ids, DRACO)) {

@@ -233,10 +233,7 @@ class Fan {
  * The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to
  * `starts[i + 1]`.
  */
-async function cornersByVertex(
-  lists: CornerLists,
-  slices: Slices,
-): Promise<{ readonly starts: Uint32Array; readonly around: Uint32Array }> {
+async function cornersByVertex(lists: CornerLists, slices: Slices) {
   const { corners, cornerNormals, places } = lists;
   // Every corner gets an item, to be overwritten.
   cornerNormals.fillTo(corners.length, NONE);
