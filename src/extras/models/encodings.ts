@@ -106,7 +106,7 @@ function decode(
   Object.assign(state, { bits, count, length });
 }
 
-const broken = (): ModelError => new ModelError('bad-model', 'A data: URI holds broken base64.');
+const broken = () => new ModelError('bad-model', 'A data: URI holds broken base64.');
 
 /** Bytes of UTF-16 that are decoded at once. */
 const PIECE = 2 ** 18;

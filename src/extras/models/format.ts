@@ -64,14 +64,13 @@ export const supportedFormats = FORMATS.map(
 export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
 
 /** A media type without its parameters, or a word, as in the table. */
-const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
+const essence = (type: string) => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
 
 /**
  * The first bytes, a character each: a browser's decoder reads windows-1252. A byte order mark of
  * UTF-8 is `ï»¿`.
  */
-const latin1 = (bytes: Uint8Array, most: number): string =>
-  String.fromCharCode(...bytes.subarray(0, most));
+const latin1 = (bytes: Uint8Array, most: number) => String.fromCharCode(...bytes.subarray(0, most));
 
 /**
  * Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or

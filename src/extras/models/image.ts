@@ -323,5 +323,5 @@ function webpFrame(view: DataView, at: number): ImageSize | null {
   };
 }
 
-const uint24 = (view: DataView, at: number): number =>
+const uint24 = (view: DataView, at: number) =>
   view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;

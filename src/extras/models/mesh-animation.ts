@@ -43,11 +43,11 @@ class MeshAnimation implements PlayedAnimation {
     void this.#measure();
   }
 
-  get plays(): boolean {
+  get plays() {
     return this.#name !== null && this.#motion.durationOf(this.#name) > 0;
   }
 
-  get work(): number {
+  get work() {
     return this.#motion.work;
   }
 
@@ -97,8 +97,7 @@ class MeshAnimation implements PlayedAnimation {
   }
 }
 
-const nameOf = ({ autoplay, animationName }: AnimationValues): string | null =>
-  autoplay ? animationName : null;
+const nameOf = ({ autoplay, animationName }: AnimationValues) => (autoplay ? animationName : null);
 
 /** Positions, tangents, index or bounds of `source` have changed: updates its flat copy. */
 export function updateFlatGeometry(flat: BufferGeometry, source: BufferGeometry): void {

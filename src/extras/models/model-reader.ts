@@ -1,5 +1,5 @@
 // What the reader of a format gets and gives, and what several readers use to make it.
-import { BufferAttribute, type Texture } from 'three';
+import { BufferAttribute } from 'three';
 import type { BaseLook } from '../../phong/material/file-surface.js';
 import { writeFaceNormals } from '../../phong/material/flat-geometry.js';
 import { type Content, ModelError } from '../../phong/model/model.js';
@@ -96,11 +96,11 @@ export function ownedModel(
   };
 }
 
-export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseLook): Texture[] =>
+export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseLook) =>
   [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);
 
 /** Whether the vector at `i` has no direction. */
-export const isZero = (values: ArrayLike<number>, i: number): boolean =>
+export const isZero = (values: ArrayLike<number>, i: number) =>
   values[i] === 0 && values[i + 1] === 0 && values[i + 2] === 0;
 
 /**

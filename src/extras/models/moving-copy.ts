@@ -143,10 +143,9 @@ function copyItems(own: BufferAttribute, { array }: BufferAttribute): void {
   own.needsUpdate = true;
 }
 
-export const isMoving = (geometry: BufferGeometry): boolean =>
-  movingAttributes(geometry).length > 0;
+export const isMoving = (geometry: BufferGeometry) => movingAttributes(geometry).length > 0;
 
-const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>
+const movingAttributes = ({ attributes }: BufferGeometry) =>
   Object.entries(attributes as Record<string, BufferAttribute>).filter(
     ([, { usage }]) => usage === DynamicDrawUsage,
   );

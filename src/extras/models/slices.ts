@@ -75,7 +75,7 @@ export class Slices {
   }
 
   /** Whether the task has taken long enough: call {@link pause}. */
-  get due(): boolean {
+  get due() {
     return performance.now() - this.#since > TASK_MS;
   }
 

@@ -148,7 +148,7 @@ interface Cut {
   readonly text: Uint8Array<ArrayBuffer>;
 }
 
-const keyOf = (index: number): string => `data:;part-of-file,${String(index)}`;
+const keyOf = (index: number) => `data:;part-of-file,${String(index)}`;
 
 function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
   const decoded = new Map<string, Promise<FileBytes>>();

@@ -101,7 +101,7 @@ export class Deformation {
   async load(slices: Slices): Promise<void> {
     const count = this.#position.length / 3;
     await slices.over(count, (from, to) => this.#link(from, to));
-    const deform = (from: number, to: number): void => this.#deform(from, to);
+    const deform = (from: number, to: number) => this.#deform(from, to);
     await slices.over(count, deform, 1 + this.#rig.targets.length);
     await slices.over(count / 3, (from, to) => this.#writeFaceNormals(from, to));
     await requireCoordinates(this.#position, slices);
@@ -136,7 +136,7 @@ export class Deformation {
   }
 
   /** The weights of the targets. */
-  get weights(): Float64Array {
+  get weights() {
     return this.#rig.weights;
   }
 

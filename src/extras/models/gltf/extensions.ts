@@ -13,7 +13,7 @@ const SHOWN =
   /^(KHR_draco_mesh_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility|KHR_node_(hover|select)ability|KHR_materials_(unlit|emissive_strength|specular|pbrSpecularGlossiness)|KHR_xmp\w*|EXT_(structural_metadata|mesh_features|instance_features)|GODOT_single_root)$/;
 
 /** The first extension that the document requires and that is not supported. */
-export const unreadable = (json: JsonObject): string | undefined =>
+export const unreadable = (json: JsonObject) =>
   shortListAt(json['extensionsRequired'], 'extensionsRequired')
     .map(String)
     .find((name) => !SHOWN.test(name) && !READABLE.test(name));

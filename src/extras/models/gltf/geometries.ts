@@ -320,7 +320,7 @@ const TANGENT_VALUES = 16;
  */
 const MOVING_VALUES = 23;
 
-const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
+const morphName = (target: number, name: string) => `target ${String(target)} ${name}`;
 
 /** The vertex of a corner of triangle t, as strips and fans count. */
 const CORNER_OF: Readonly<Record<number, (corner: number) => number>> = {

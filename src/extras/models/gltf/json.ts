@@ -14,7 +14,7 @@ const isObject = (value: unknown): value is JsonObject =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** As {@link objectAt}; an absent value gives an empty object. */
-export const optionalObject = (value: unknown, what: string): JsonObject =>
+export const optionalObject = (value: unknown, what: string) =>
   value === undefined ? {} : objectAt(value, what);
 
 /** A list of objects; an absent value gives an empty list. */
@@ -90,4 +90,4 @@ export function numberAt(value: unknown, what: string, fallback: number): number
   throw new Error(`${what} is not a number`);
 }
 
-export const textAt = (value: unknown): string => (typeof value === 'string' ? value : '');
+export const textAt = (value: unknown) => (typeof value === 'string' ? value : '');

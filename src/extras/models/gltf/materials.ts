@@ -6,7 +6,7 @@ import { LIMITS } from '../../../phong/light/light-state.js';
 import { exponentOfRoughness } from '../../../phong/material/file-surface.js';
 import { SURFACE_FIELDS } from '../../../phong/material/material-values.js';
 import { srgbEncode } from '../../../phong/math/color.js';
-import { clamp, map, multiply, type Vec3 } from '../../../phong/math/vector.js';
+import { clamp, map, multiply } from '../../../phong/math/vector.js';
 import type { ContentPart } from '../../../phong/model/model.js';
 import type { Slices } from '../slices.js';
 import {
@@ -218,7 +218,7 @@ function readSpecular(
 }
 
 /** A number clamped to 0–1; 1 by default. */
-const share = (value: unknown, what: string): number => clamp(numberAt(value, what, 1), 0, 1);
+const share = (value: unknown, what: string) => clamp(numberAt(value, what, 1), 0, 1);
 
 interface TextureUse extends JsonObject {
   /** The set of texture coordinates. */
@@ -271,8 +271,7 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 }
 
 /** The attribute of a map's texture coordinates. */
-export const uvNameOf = ({ channel }: Texture): string =>
-  channel === 0 ? 'uv' : `uv${String(channel)}`;
+export const uvNameOf = ({ channel }: Texture) => (channel === 0 ? 'uv' : `uv${String(channel)}`);
 
 /** @param color of the instance: linear, with opacity; multiplies base colour and opacity. */
 export function lookOf(
@@ -317,7 +316,7 @@ export function lookOf(
   };
 }
 
-const valuesOf = ({ userData }: MeshStandardMaterial): MaterialValues =>
+const valuesOf = ({ userData }: MeshStandardMaterial) =>
   (userData as { surface?: MaterialValues }).surface ?? UNNAMED;
 
 /** The parser's own material of meshes that name none. */
@@ -331,5 +330,5 @@ const UNNAMED: MaterialValues = {
 };
 
 /** Within a colour's domain: products with texels stay finite. */
-const encoded = ([r = 0, g = 0, b = 0]: readonly number[]): Vec3 =>
+const encoded = ([r = 0, g = 0, b = 0]: readonly number[]) =>
   map([r, g, b], (c) => Math.min(srgbEncode(c), LIMITS.color / 255));

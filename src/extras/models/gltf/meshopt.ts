@@ -21,7 +21,7 @@ export async function decodeMeshopt(
   return decoded;
 }
 
-const refused = (cause: unknown): ModelError =>
+const refused = (cause: unknown) =>
   new ModelError(
     'csp',
     'The model is compressed by meshopt, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks it.',

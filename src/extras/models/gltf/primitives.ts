@@ -80,7 +80,7 @@ export const STRIPS = 5;
 export const FANS = 6;
 
 /** Corners of triangles that a list, strip or fan of this many vertices or indices stands for. */
-export const cornersOf = (mode: number, count: number): number =>
+export const cornersOf = (mode: number, count: number) =>
   mode === TRIANGLES ? count - (count % 3) : Math.max(count - 2, 0) * 3;
 
 export async function readPrimitives(

@@ -81,10 +81,9 @@ export const read: ModelReader = async (source) => {
     const { scene, parser } = await loader.parseAsync(document.json as unknown as string, '');
     source.signal.throwIfAborted();
     const { animations, primitives, weights, instances } = document;
-    const accessor = ({ index }: Accessor): Promise<Attribute> =>
+    const accessor = ({ index }: Accessor) =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
-    const node = (index: number): Promise<Object3D> =>
-      parser.getDependency('node', index) as Promise<Object3D>;
+    const node = (index: number) => parser.getDependency('node', index) as Promise<Object3D>;
     const indicesOf = (object: Object3D): FileIndices | undefined =>
       parser.associations.get(object);
     const file = { indicesOf, accessor, primitives, weights, instances, budget };

@@ -59,7 +59,7 @@ function notAllowed(cause: unknown): never {
 
 const MAGIC = '\xabKTX 20\xbb\r\n\x1a\n';
 
-export const isKtx2 = (bytes: Uint8Array): boolean =>
+export const isKtx2 = (bytes: Uint8Array) =>
   Array.from(MAGIC).every((character, i) => bytes[i] === character.charCodeAt(0));
 
 const HEADER = 80;

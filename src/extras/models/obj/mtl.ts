@@ -138,7 +138,7 @@ function readStatement(
 }
 
 /** For numbers only: a name may contain `#`. */
-const withoutComment = (numbers: string): string => numbers.replace(/#.*/, '').trim();
+const withoutComment = (numbers: string) => numbers.replace(/#.*/, '').trim();
 
 /** Statements that change the picture in other programs, by their lower-case keywords. */
 const LEFT_OUT: ReadonlyMap<string, string> = new Map(
@@ -262,8 +262,7 @@ function takeOptions(text: string, options: Options): string {
   }
 }
 
-const finite = (value: number, fallback: number): number =>
-  Number.isFinite(value) ? value : fallback;
+const finite = (value: number, fallback: number) => (Number.isFinite(value) ? value : fallback);
 
 /** @param full what Ka, Kd and Ks have at full intensity. */
 function finished({ colors, maps, shininess, opacity, leftOut }: Draft, full = 1): MtlMaterial {
@@ -300,14 +299,14 @@ const BLACK: Vec3 = [0, 0, 0];
 export const NO_MATERIAL = /* @__PURE__ */ finished(emptyDraft());
 
 /** Without the quotes around it, if there are any. */
-export const unquoted = (name: string): string => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
+export const unquoted = (name: string) => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
 
 /**
  * A material's name as it is compared if it is not found as written: without quotes, and without a
  * comment behind it. Names can contain `#`, as 3ds Max's own do.
  */
-export const plainName = (name: string): string => unquoted(name.replace(/\s#.*$/, '').trim());
+export const plainName = (name: string) => unquoted(name.replace(/\s#.*$/, '').trim());
 
 /** An image's name without quotes, or a comment behind its extension. */
-const imageName = (text: string): string =>
+const imageName = (text: string) =>
   unquoted(text.trim().replace(/(\.\w{2,5}"?)\s+#.*$/, '$1')).replace(/\\/g, '/');

@@ -307,7 +307,7 @@ const KINDS = [
   ['normal', 'normal'],
 ] as const;
 
-function smoothingOf(group: number): number {
+function smoothingOf(group: number) {
   // `off`, `0` and anything that is not a number mean no group.
   return Number.isInteger(group) && group > 0 && group <= 0x7fffffff ? group : FACETED;
 }

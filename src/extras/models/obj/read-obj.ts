@@ -106,7 +106,7 @@ async function firstOf(
 /** The materials of a model's libraries: by name, as it is written and plain. */
 type Materials = ReadonlyMap<string, MtlMaterial>;
 
-const materialNamed = (materials: Materials, name: string): MtlMaterial | undefined =>
+const materialNamed = (materials: Materials, name: string) =>
   materials.get(name) ?? materials.get(plainName(name));
 
 /**

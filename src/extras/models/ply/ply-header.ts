@@ -45,7 +45,7 @@ export interface PlyHeader {
 }
 
 /** How many rows the elements of this name have. */
-export const countOf = (elements: readonly PlyElement[], name: string): number =>
+export const countOf = (elements: readonly PlyElement[], name: string) =>
   elements.reduce((sum, element) => sum + (element.name === name ? element.count : 0), 0);
 
 const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([

@@ -69,7 +69,7 @@ const SLOTS: ReadonlyMap<string, number> = new Map(
 );
 const [PLACE, NORMAL, COLOR, ALPHA, UNUSED] = [0, 3, 6, 9, 10] as const;
 
-const slotOf = (name: string): number | undefined => SLOTS.get(name.toLowerCase());
+const slotOf = (name: string) => SLOTS.get(name.toLowerCase());
 
 /** Most items of a list that are read at once. */
 const ITEMS_AT_ONCE = 256;
@@ -355,11 +355,11 @@ class Colors {
     list.fillTo(this.#first, FULL);
   }
 
-  get count(): number {
+  get count() {
     return (this.list.length - this.#first) / 3;
   }
 
-  get hasAlpha(): boolean {
+  get hasAlpha() {
     return this.#leastAlpha < fullOf(this.#mostAlpha, this.unit);
   }
 
@@ -394,7 +394,7 @@ interface PlyValues {
   problem(): string;
 }
 
-const truncated = (): Error => new Error('it is truncated: it ends before its last value');
+const truncated = () => new Error('it is truncated: it ends before its last value');
 
 /** `c` and `#`: no number begins with them. */
 const COMMENTS: ReadonlySet<number> = new Set([0x63, 0x23]);

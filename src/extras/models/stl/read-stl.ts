@@ -215,7 +215,7 @@ class StlTextReader {
     this.#leftOut = leftOut;
   }
 
-  get at(): number {
+  get at() {
     return this.#scanner.at;
   }
 

@@ -15,14 +15,14 @@ function claimed(bytes: Uint8Array): number {
   return new DataView(bytes.buffer, bytes.byteOffset).getUint32(STL_HEADER - 4, true);
 }
 
-const sizeOf = (triangles: number): number => STL_HEADER + triangles * STL_TRIANGLE;
+const sizeOf = (triangles: number) => STL_HEADER + triangles * STL_TRIANGLE;
 
 /** Whether the size is exactly that of the triangles it claims. */
-export const isBinaryStl = (bytes: Uint8Array): boolean =>
+export const isBinaryStl = (bytes: Uint8Array) =>
   claimed(bytes) > 0 && bytes.byteLength === sizeOf(claimed(bytes));
 
 /** Whether an STL file is binary by that, with other bytes behind or without. */
-export const holdsTriangles = (bytes: Uint8Array): boolean =>
+export const holdsTriangles = (bytes: Uint8Array) =>
   claimed(bytes) > 0 && bytes.byteLength >= sizeOf(claimed(bytes));
 
 /**
@@ -35,7 +35,7 @@ const TEXT =
 /**
  * Whether it begins as a text file does, with a byte order mark or without, with lines or in one.
  */
-export function isTextStl(bytes: Uint8Array): boolean {
+export function isTextStl(bytes: Uint8Array) {
   // A byte order mark of UTF-8 reads as three characters.
   return TEXT.test(new TextDecoder('latin1').decode(bytes.subarray(0, 4096)));
 }

@@ -63,7 +63,7 @@ export class TextScanner {
     }
   }
 
-  get #farthest(): number {
+  get #farthest() {
     return Math.min(this.#bytes.length, this.at + LONGEST);
   }
 
@@ -90,7 +90,7 @@ export class TextScanner {
   }
 
   /** The next byte of this line after blanks; -1 at its end. Stays before it. */
-  peek(): number {
+  peek() {
     return this.atLineEnd() ? NOTHING : (this.#bytes[this.at] ?? NOTHING);
   }
 
@@ -103,7 +103,7 @@ export class TextScanner {
   }
 
   /** The likeliest of {@link readings}. */
-  rest(most?: number): string {
+  rest(most?: number) {
     return this.readings(most)[0] ?? '';
   }
 
@@ -223,12 +223,12 @@ export class TextScanner {
     return true;
   }
 
-  nextIs(byte: number): boolean {
+  nextIs(byte: number) {
     return this.#bytes[this.at] === byte;
   }
 
   /** Whether a number ends before the next byte. */
-  get atBreak(): boolean {
+  get atBreak() {
     return this.#endsNumber(this.at);
   }
 
@@ -237,7 +237,7 @@ export class TextScanner {
     return isBreak(byte) || byte === this.#comment;
   }
 
-  #quoted(start: number): string {
+  #quoted(start: number) {
     return JSON.stringify(
       clip(utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + 4096)))),
     );
@@ -310,10 +310,10 @@ export class TextScanner {
   }
 }
 
-const isLineEnd = (byte: number): boolean => byte === LF || byte === CR;
+const isLineEnd = (byte: number) => byte === LF || byte === CR;
 /** White space, other control characters, and the end of the file. */
-const isBreak = (byte: number | undefined): boolean => byte === undefined || byte <= SPACE;
+const isBreak = (byte: number | undefined) => byte === undefined || byte <= SPACE;
 
-function digitOf(byte: number | undefined): number {
+function digitOf(byte: number | undefined) {
   return byte !== undefined && byte >= 48 && byte <= 57 ? byte - 48 : -1;
 }

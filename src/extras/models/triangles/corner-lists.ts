@@ -77,11 +77,11 @@ export class CornerLists {
   }
 
   /** Whether the vertices of all corners are there, and their coordinates numbers. */
-  get areAllThere(): boolean {
+  get areAllThere() {
     return this.places.areSound && this.highestVertex < this.places.count;
   }
 
-  get triangles(): number {
+  get triangles() {
     return this.corners.length / 3;
   }
 
@@ -119,7 +119,7 @@ export function setItem(list: Growing<Int32Array>, index: number, value: number)
 }
 
 /** The item at `index`, or {@link NONE} beyond the end. */
-export const itemAt = (list: Growing<Int32Array>, index: number): number =>
+export const itemAt = (list: Growing<Int32Array>, index: number) =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
 
 /**
@@ -139,17 +139,17 @@ export class Positions {
     this.#values = new Growing(Float32Array, 3 * vertices);
   }
 
-  get count(): number {
+  get count() {
     return this.#values.length / 3;
   }
 
   /** x y z of each vertex, relative to the origin. Longer than the list. Replaced when it grows. */
-  get array(): Float32Array {
+  get array() {
     return this.#values.array;
   }
 
   /** From the origin to the file's coordinates. */
-  get matrix(): Matrix4 {
+  get matrix() {
     return new Matrix4().makeTranslation(...(this.#origin ?? [0, 0, 0]));
   }
 
@@ -173,7 +173,7 @@ export class Positions {
   }
 
   /** Whether there is such a vertex, and its coordinates are numbers. */
-  has(vertex: number): boolean {
+  has(vertex: number) {
     return vertex < this.count && !Number.isNaN(this.array[3 * vertex]);
   }
 
