@@ -2,8 +2,8 @@
 // finger was then and is now: returning to the start restores the start pose exactly. Client
 // coordinates in CSS pixels; travel is measured along the picture's own axes.
 import { type PictureFrame, pinch, type RadiusLimits, shift, turn } from './drag.js';
-import type { Orbit, Pose } from './orbit.js';
-import { samePose, writtenPose } from './written-pose.js';
+import { type Orbit, type Pose, samePose } from './orbit.js';
+import { writtenPose } from './written-pose.js';
 
 /** The picture's box, and the directions of its axes on the page. */
 export interface PictureBox {

@@ -39,12 +39,8 @@ const DEFAULT_POSE: Pose = Object.freeze({
 });
 
 export class Orbit {
-  #theta = DEFAULT_POSE.theta;
-  #phi = DEFAULT_POSE.phi;
-  #radius = DEFAULT_POSE.radius;
-  #target = DEFAULT_POSE.target;
+  #pose = DEFAULT_POSE;
   #version = 0;
-  #pose: Pose | undefined;
 
   constructor(start: Partial<Pose> = {}) {
     this.set(start);
@@ -57,30 +53,24 @@ export class Orbit {
   }
 
   get theta(): number {
-    return this.#theta;
+    return this.#pose.theta;
   }
 
   get phi(): number {
-    return this.#phi;
+    return this.#pose.phi;
   }
 
   get radius(): number {
-    return this.#radius;
+    return this.#pose.radius;
   }
 
   /** Frozen. */
   get target(): Vec3 {
-    return this.#target;
+    return this.#pose.target;
   }
 
   /** The camera as it is now: a frozen value, not affected by later changes. */
   get pose(): Pose {
-    this.#pose ??= Object.freeze({
-      theta: this.#theta,
-      phi: this.#phi,
-      radius: this.#radius,
-      target: this.#target,
-    });
     return this.#pose;
   }
 
@@ -90,40 +80,33 @@ export class Orbit {
    * is not above 0.
    */
   set(change: Partial<Pose>): void {
+    const before = this.#pose;
     const {
-      theta = this.#theta,
-      phi = this.#phi,
-      radius = this.#radius,
-      target = this.#target,
+      theta = before.theta,
+      phi = before.phi,
+      radius = before.radius,
+      target = before.target,
     } = change;
-    if (
-      !Number.isFinite(theta) ||
-      !Number.isFinite(phi) ||
-      !Number.isFinite(radius) ||
-      !(radius > 0)
-    ) {
+    if (![theta, phi, radius].every(Number.isFinite) || !(radius > 0)) {
       throw new RangeError('a camera needs finite angles and a finite radius above 0');
     }
-    const nextTarget = target === this.#target ? target : reachableTarget(target, this.#target);
-    // Adding 0 turns -0 into 0, so that equal cameras print alike.
-    const nextTheta = theta + 0;
-    const nextPhi = clamp(phi, 0, 180) + 0;
-    const nextRadius = Math.min(radius, LARGEST_LENGTH);
-    const sameAngles = nextTheta === this.#theta && nextPhi === this.#phi;
-    if (sameAngles && nextRadius === this.#radius && nextTarget === this.#target) return;
-    this.#theta = nextTheta;
-    this.#phi = nextPhi;
-    this.#radius = nextRadius;
-    this.#target = nextTarget;
-    this.#pose = undefined;
+    const pose: Pose = Object.freeze({
+      // Adding 0 turns -0 into 0, so that equal cameras print alike.
+      theta: theta + 0,
+      phi: clamp(phi, 0, 180) + 0,
+      radius: Math.min(radius, LARGEST_LENGTH),
+      target: reachableTarget(target),
+    });
+    if (samePose(pose, before)) return;
+    this.#pose = pose;
     this.#version += 1;
   }
 
   /** Eye minus target, in world axes. */
   offset(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
-    const { back } = basisOf(this, scratch);
+    const { back } = basisOf(this.#pose, scratch);
     for (let i = 0; i < 3; i++) {
-      out[i] = back[i]! * this.#radius;
+      out[i] = back[i]! * this.#pose.radius;
     }
     return out;
   }
@@ -132,7 +115,7 @@ export class Orbit {
   eye(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
     this.offset(out);
     for (let i = 0; i < 3; i++) {
-      out[i]! += this.#target[i]!;
+      out[i]! += this.#pose.target[i]!;
     }
     return out;
   }
@@ -141,9 +124,15 @@ export class Orbit {
    * The camera's axes, orthonormal to 1e-15 at every angle. Exactly 0 and ±1 at multiples of 90°.
    */
   basis(out: Basis = newBasis()): Basis {
-    return basisOf(this, out);
+    return basisOf(this.#pose, out);
   }
 }
+
+export const samePose = (a: Pose, b: Pose): boolean =>
+  a.theta === b.theta &&
+  a.phi === b.phi &&
+  a.radius === b.radius &&
+  a.target.every((x, i) => x === b.target[i]);
 
 export const newBasis = (): Basis => ({ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] });
 
@@ -169,12 +158,10 @@ export function basisOf(angles: Pick<Pose, 'theta' | 'phi'>, out: Basis = newBas
   return out;
 }
 
-/** A frozen copy clamped to the domain, or the present target itself if the values are equal. */
-function reachableTarget(target: Vec3, present: Vec3): Vec3 {
+/** A frozen copy clamped to the domain. */
+function reachableTarget(target: Vec3): Vec3 {
   if (!target.every(Number.isFinite)) throw new RangeError('a camera needs a finite target');
-  const next = [clampLength(target[0]), clampLength(target[1]), clampLength(target[2])] as const;
-  const same = next[0] === present[0] && next[1] === present[1] && next[2] === present[2];
-  return same ? present : Object.freeze(next);
+  return Object.freeze([clampLength(target[0]), clampLength(target[1]), clampLength(target[2])]);
 }
 
 export const clampLength = (x: number): number => clamp(x, -LARGEST_LENGTH, LARGEST_LENGTH) + 0;

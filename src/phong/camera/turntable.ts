@@ -6,7 +6,6 @@ import type { Orbit } from './orbit.js';
 export class Turntable {
   #start: { readonly theta: number; readonly time: number; readonly speed: number } | undefined;
   #written = NaN;
-  readonly #change = { theta: 0 };
 
   /**
    * Turns the orbit to its azimuth at `time`. `speed` in degrees per second; positive raises θ. The
@@ -21,8 +20,7 @@ export class Turntable {
       return false;
     }
     const before = orbit.version;
-    this.#change.theta = (start.theta + (speed * (time - start.time)) / 1000) % 360;
-    orbit.set(this.#change);
+    orbit.set({ theta: (start.theta + (speed * (time - start.time)) / 1000) % 360 });
     this.#written = orbit.theta;
     return orbit.version !== before;
   }

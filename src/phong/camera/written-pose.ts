@@ -24,9 +24,3 @@ export function eightDigits(value: number, radius: number): number {
   const larger = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(radius));
   return Number(value.toPrecision(Math.min(8 + Math.max(larger, 0), 17)));
 }
-
-export const samePose = (a: Pose, b: Pose): boolean =>
-  a.theta === b.theta &&
-  a.phi === b.phi &&
-  a.radius === b.radius &&
-  a.target.every((x, i) => x === b.target[i]);

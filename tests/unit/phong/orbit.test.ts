@@ -4,8 +4,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
-import { basisOf, LARGEST_LENGTH, Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
-import { eightDigits, samePose, writtenPose } from '../../../src/phong/camera/written-pose.js';
+import {
+  basisOf,
+  LARGEST_LENGTH,
+  Orbit,
+  type Pose,
+  samePose,
+} from '../../../src/phong/camera/orbit.js';
+import { eightDigits, writtenPose } from '../../../src/phong/camera/written-pose.js';
 import { cross, dot, length, map, subtract } from '../../../src/phong/math/vector.js';
 import { Dice } from '../../visual/random-scene.js';
 import { repeats, SEED } from '../../support/repeats.js';
