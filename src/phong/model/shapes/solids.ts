@@ -161,69 +161,61 @@ function curve(angle: number): Vec3 {
 
 const CORNER = Math.SQRT1_2 / 2;
 const APEX: Vec3 = [0, 0.5, 0];
-/** Counter-clockwise seen from above, from the front left. */
-const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
-  [-CORNER, -0.5, CORNER],
-  [CORNER, -0.5, CORNER],
-  [CORNER, -0.5, -CORNER],
-  [-CORNER, -0.5, -CORNER],
+const FRONT_LEFT: Vec3 = [-CORNER, -0.5, CORNER];
+const FRONT_RIGHT: Vec3 = [CORNER, -0.5, CORNER];
+const BACK_RIGHT: Vec3 = [CORNER, -0.5, -CORNER];
+const BACK_LEFT: Vec3 = [-CORNER, -0.5, -CORNER];
+
+/** Counter-clockwise from outside: the four sides, then the two halves of the base. */
+const PYRAMID: readonly (readonly [Vec3, Vec3, Vec3])[] = [
+  [FRONT_LEFT, FRONT_RIGHT, APEX],
+  [FRONT_RIGHT, BACK_RIGHT, APEX],
+  [BACK_RIGHT, BACK_LEFT, APEX],
+  [BACK_LEFT, FRONT_LEFT, APEX],
+  [FRONT_LEFT, BACK_LEFT, BACK_RIGHT],
+  [BACK_RIGHT, FRONT_RIGHT, FRONT_LEFT],
 ];
 
 /**
  * Of height 1; the corners of its square base lie on a circle of diameter 1. Sides face the axes,
- * and each has its own vertices and normal. `segments`: parts into which every edge is divided.
+ * and each has its own vertices and normal. A triangle a b c is rows of n, n - 1, … small ones from
+ * ab up to c.
+ * @param n parts into which every edge is divided.
  */
-function pyramid(segments: number): BufferGeometry {
-  const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
-  const [a, b, c, d] = BASE;
-  addTriangle(mesh, a, b, APEX, segments);
-  addTriangle(mesh, b, c, APEX, segments);
-  addTriangle(mesh, c, d, APEX, segments);
-  addTriangle(mesh, d, a, APEX, segments);
-  addTriangle(mesh, a, d, c, segments);
-  addTriangle(mesh, c, b, a, segments);
-  const { index, position, normal, uv } = mesh;
+function pyramid(n: number): BufferGeometry {
+  const position: number[] = [];
+  const normal: number[] = [];
+  const uv: number[] = [];
+  const index: number[] = [];
+  let row = 0;
+  for (const [a, b, c] of PYRAMID) {
+    const N = normalize(cross(subtract(b, a), subtract(c, a)));
+    for (let j = 0; j <= n; j += 1) {
+      const v = j / n;
+      const width = n - j;
+      for (let i = 0; i <= width; i += 1) {
+        const u = i / n;
+        const w = (width - i) / n;
+        for (const axis of [0, 1, 2] as const) {
+          position.push(w * a[axis] + u * b[axis] + v * c[axis]);
+        }
+        normal.push(...N);
+        uv.push(u + v / 2, v);
+        if (i === width) continue;
+        const here = row + i;
+        const above = here + width + 1;
+        index.push(here, here + 1, above);
+        if (i + 1 < width) {
+          index.push(here + 1, above + 1, above);
+        }
+      }
+      row += width + 1;
+    }
+  }
   return indexedGeometry(
     index,
     new Float32Array(position),
     new Float32Array(normal),
     new Float32Array(uv),
   );
-}
-
-interface Lists {
-  readonly position: number[];
-  readonly normal: number[];
-  readonly uv: number[];
-  readonly index: number[];
-}
-
-/**
- * The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up
- * to c.
- */
-function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
-  const normal = normalize(cross(subtract(b, a), subtract(c, a)));
-  let row = mesh.position.length / 3;
-  for (let j = 0; j <= n; j += 1) {
-    const v = j / n;
-    const width = n - j;
-    for (let i = 0; i <= width; i += 1) {
-      const u = i / n;
-      const w = (width - i) / n;
-      for (const axis of [0, 1, 2] as const) {
-        mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
-      }
-      mesh.normal.push(...normal);
-      mesh.uv.push(u + v / 2, v);
-      if (i === width) continue;
-      const here = row + i;
-      const above = here + width + 1;
-      mesh.index.push(here, here + 1, above);
-      if (i + 1 < width) {
-        mesh.index.push(here + 1, above + 1, above);
-      }
-    }
-    row += width + 1;
-  }
 }
