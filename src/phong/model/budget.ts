@@ -3,40 +3,29 @@
 import { LIMITS, VALUES_PER_TRIANGLE } from './limits.js';
 import { ModelError } from './model.js';
 
-/** What is claimed, in the units of the limits. */
-export interface Claims {
-  /** Bytes of files, unpacked. */
-  readonly bytes?: number;
-  /** Bytes of text, without data in base64. */
-  readonly text?: number;
-  /** Values in JSON. */
-  readonly json?: number;
-  readonly nodes?: number;
-  /** Draws, each instance too: once for each mesh that shows the same content. */
-  readonly parts?: number;
-  /** Corners of triangles, repeated meshes of a file counted each time. */
-  readonly corners?: number;
-  /** Values of 4 bytes in vertices and indices. */
-  readonly values?: number;
-  readonly pixels?: number;
-  /** Items that a reader visits beyond those: keys, list entries, tokens. One takes some 10 ns. */
-  readonly work?: number;
-}
-
-export type Amounts = Required<Claims>;
-
-/** What is limited, in the order in which it is checked. */
-const WORDS: Readonly<Record<keyof Claims, string>> = {
+/** What is limited, in the order in which it is checked, and its words in messages. */
+const WORDS = {
+  /** Of files, unpacked. */
   bytes: 'bytes in its files',
+  /** Without data in base64. */
   text: 'bytes of text',
   json: 'values in its JSON',
   nodes: 'nodes',
+  /** Each instance too: once for each mesh that shows the same content. */
   parts: 'draws',
+  /** Repeated meshes of a file counted each time. */
   corners: 'triangle corners',
+  /** Of 4 bytes, in vertices and indices. */
   values: 'numbers in its vertices',
   pixels: 'pixels in its images',
+  /** Beyond those: keys, list entries, tokens. One takes some 10 ns. */
   work: 'items to read',
 };
+
+export type Amounts = Readonly<Record<keyof typeof WORDS, number>>;
+
+/** What is claimed, in the units of the limits. */
+export type Claims = Partial<Amounts>;
 
 const KEYS = /* @__PURE__ */ (() => Object.keys(WORDS) as (keyof Claims)[])();
 
