@@ -4,7 +4,7 @@
 import { type Fields, FieldStore } from '../../phong/fields/field-store.js';
 import type { PhongViewer } from './elements.js';
 import { defineProperties, FieldBinding } from './fields/field-binding.js';
-import type { ViewerTexts } from './fields/texts.js';
+import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import ownText from './page/own-text.css?inline';
 import { addStyles } from './page/style-sheets.js';
 
@@ -34,10 +34,8 @@ export abstract class ExtraElement<V extends object> {
       let code = codes.get(element);
       if (code === undefined) {
         codes.set(element, (code = new make(element)));
-        if (isForm && Object.hasOwn(element, 'value')) {
-          const value: unknown = Reflect.get(element, 'value');
-          Reflect.deleteProperty(element, 'value');
-          Reflect.set(element, 'value', value);
+        if (isForm) {
+          upgradeProperty(element, 'value');
         }
       }
       return code;
