@@ -17,7 +17,7 @@ export const EXERCISE_FIELDS: Fields<ExerciseValues> = {
   name: textField(),
   terms: subsetField(TERMS),
   kinds: optional(subsetField(KINDS)),
-  hint: choiceField<ExerciseValues['hint']>('what', ['what', 'where', 'verdict', 'none']),
+  hint: choiceField(['what', 'where', 'verdict', 'none']),
   solution: presenceField(),
   required: presenceField(),
 };

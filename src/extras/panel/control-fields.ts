@@ -8,12 +8,10 @@ export type ControlValues = ValuesByTag['phong-control'];
 export const CONTROL_FIELDS: Fields<ControlValues> = {
   for: textField(),
   attribute: textField(),
-  component: optional(
-    choiceField<NonNullable<ControlValues['component']>>('x', ['x', 'y', 'z', 'kc', 'kl', 'kq']),
-  ),
+  component: optional(choiceField(['x', 'y', 'z', 'kc', 'kl', 'kq'])),
   values: textField(),
   min: optional(numberField(0, {})),
   max: optional(numberField(1, {})),
   step: optional(numberField(1, { above: 0, max: 1e15 })),
-  type: optional(choiceField<NonNullable<ControlValues['type']>>('slider', ['number', 'slider'])),
+  type: optional(choiceField(['number', 'slider'])),
 };

@@ -55,7 +55,7 @@ const askField: Field<string> = {
 
 export const PROBE_FIELDS: Fields<ProbeValues> = {
   for: textField(),
-  as: optional(choiceField<NonNullable<ProbeValues['as']>>('table', ['table', 'formula', 'ask'])),
+  as: optional(choiceField(['table', 'formula', 'ask'])),
   at: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   ask: askField,
   seed: textField(),

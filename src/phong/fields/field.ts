@@ -214,12 +214,13 @@ const typeField = <T extends boolean | string>(
   },
 });
 
-export function choiceField<T extends string>(fallback: T, choices: readonly T[]): Field<T> {
+/** One of these words; the first is the default. */
+export function choiceField<T extends string>(choices: readonly T[]): Field<T> {
   const expected = `one of ${choices.map((c) => (c === '' ? '(empty)' : c)).join(', ')}`;
   return {
     kind: 'choice',
     choices,
-    fallback,
+    fallback: choices[0]!,
     expected,
     check(value) {
       if (typeof value !== 'string') throw wrong(expected, value);

@@ -209,7 +209,7 @@ export const LIGHT_FIELDS = {
       },
     },
   },
-  space: { ...choiceField<LightSpace>('world', LIGHT_SPACES), shading: 'select' },
+  space: { ...choiceField(LIGHT_SPACES), shading: 'select' },
 } as const satisfies { readonly [K in keyof LightValues]: LightField<LightValues[K]> };
 
 type Values = typeof LIGHT_FIELDS;

@@ -101,8 +101,8 @@ function isBlob(value: unknown): value is Blob {
 export const SHAPE_FIELDS: Fields<ShapeValues> = {
   ...SURFACE_FIELDS,
   src: sourceField,
-  type: optional(choiceField<ModelType>('gltf', MODEL_TYPES)),
-  geometry: optional(choiceField<GeometryName>('box', GEOMETRIES)),
+  type: optional(choiceField(MODEL_TYPES)),
+  geometry: optional(choiceField(GEOMETRIES)),
   segments: orWord('auto', numberField(64, { min: 1, max: 512, integer: true })),
   autoplay: presenceField(),
   animationName: textField('', 'the name of an animation'),
@@ -116,6 +116,6 @@ export const MESH_FIELDS: Fields<MeshValues> = {
   position: vectorField([0, 0, 0], coordinates),
   rotation: vectorField([0, 0, 0], coordinates),
   scale: scaleField([1, 1, 1], { min: -SCALE, max: SCALE }),
-  shading: optional(choiceField<Shading>('phong', SHADINGS)),
-  reflection: optional(choiceField<Reflection>('phong', REFLECTIONS)),
+  shading: optional(choiceField(SHADINGS)),
+  reflection: optional(choiceField(REFLECTIONS)),
 };

@@ -206,13 +206,9 @@ const warning = (value: unknown, field: Field<unknown>) =>
 
 it.each([
   [vector, 'far', /auto-rotate="far": expected .+; using 0 0 0 instead\.$/],
-  [
-    choiceField('flat', ['gouraud', 'flat']),
-    ' GOURAUDD',
-    /using flat instead\. Did you mean "gouraud"\?$/,
-  ],
-  [choiceField('flat', ['gouraud', 'flat']), 'toon', /using flat instead\.$/],
-  [choiceField('flat', ['gouraud', 'flat']), ['gouraud'], /using flat instead\.$/],
+  [choiceField(['flat', 'gouraud']), ' GOURAUDD', /using flat instead\. Did you mean "gouraud"\?$/],
+  [choiceField(['flat', 'gouraud']), 'toon', /using flat instead\.$/],
+  [choiceField(['flat', 'gouraud']), ['gouraud'], /using flat instead\.$/],
   [textField(), 'a', /using none instead\.$/],
   [MESH_FIELDS.shading, 'a', /using none instead\.$/],
 ])(

@@ -39,7 +39,7 @@ const makers = {
   boolean: () => booleanField(true),
   presence: () => presenceField(),
   text: () => textField(),
-  choice: () => choiceField<'' | 'red' | 'green'>('red', ['red', 'green', '']),
+  choice: () => choiceField(['red', 'green', '']),
   subset: () => subsetField(['a', 'b', 'c']),
   'flag or words': () =>
     flagOrWordsField('gui', 'a flag, or words of one list', [

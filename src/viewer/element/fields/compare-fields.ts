@@ -41,8 +41,8 @@ export type CompareValues = ValuesOf<CompareProperties>;
 type Accepted = Inputs<CompareValues>;
 
 export const COMPARE_FIELDS: Fields<CompareValues> = {
-  layout: choiceField<CompareValues['layout']>('split', ['split', 'side']),
-  direction: choiceField<CompareValues['direction']>('horizontal', ['horizontal', 'vertical']),
+  layout: choiceField(['split', 'side']),
+  direction: choiceField(['horizontal', 'vertical']),
   at: orWord('auto', numbersField('numbers from 0 to 100 in ascending order', 0, 100)),
   labels: optional(labelsField()),
 };

@@ -27,10 +27,6 @@ import { attributeOf } from '../../../phong/fields/attribute-text.js';
 import { GUI_FOLDERS, type Helper, HELPERS } from '../../../phong/fields/viewer-words.js';
 import type { Inputs, ShapeProperties, ValuesOf } from './properties.js';
 
-export type Loading = 'auto' | 'eager' | 'lazy';
-type ColorInterpolation = 'srgb' | 'linear';
-type Antialias = 'edges' | 'full';
-
 export interface ViewerProperties extends ShapeProperties {
   /**
    * Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z, 90 from +x. Default
@@ -67,7 +63,7 @@ export interface ViewerProperties extends ShapeProperties {
    * models are fetched at once, in a closed dialog or `<details>` once it is opened. `eager`:
    * nothing, as screenshots of whole pages need. `lazy`: drawing and fetching models. Default auto.
    */
-  get loading(): Loading;
+  get loading(): 'auto' | 'eager' | 'lazy';
   set loading(value: Accepted['loading']);
   /** Files dropped on the viewer become its `src`; a PNG with a scene opens it. Default false. */
   get droppable(): boolean;
@@ -104,13 +100,13 @@ export interface ViewerProperties extends ShapeProperties {
   /**
    * `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb.
    */
-  get colorInterpolation(): ColorInterpolation;
+  get colorInterpolation(): 'srgb' | 'linear';
   set colorInterpolation(value: Accepted['colorInterpolation']);
   /**
    * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that
    * stands still converges to the mean over each pixel. Default edges.
    */
-  get antialias(): Antialias;
+  get antialias(): 'edges' | 'full';
   set antialias(value: Accepted['antialias']);
   /** Samples per pixel of `antialias="full"`. Whole, 16–1,024. Default 64. */
   get samples(): number;
@@ -176,12 +172,10 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   ...SHAPE_FIELDS,
   alt: textField(),
   poster: textField('', 'the address of an image'),
-  loading: choiceField<Loading>('auto', ['auto', 'eager', 'lazy']),
+  loading: choiceField(['auto', 'eager', 'lazy']),
   droppable: presenceField(),
   crossOrigin: {
-    ...optional(
-      choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials']),
-    ),
+    ...optional(choiceField(['anonymous', 'use-credentials'])),
     empty: 'anonymous',
   },
   theta: numberField(30, {}),
@@ -196,16 +190,16 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   zoom: booleanField(true),
   // The limit keeps elapsed time times speed precise. It is far above a turn per frame.
   autoRotate: numberField(0, { min: -1e6, max: 1e6 }),
-  shading: choiceField<Shading>('phong', SHADINGS),
-  reflection: choiceField<Reflection>('phong', REFLECTIONS),
-  terms: subsetField<Term>(TERMS),
-  colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
-  antialias: choiceField<Antialias>('edges', ['edges', 'full']),
+  shading: choiceField(SHADINGS),
+  reflection: choiceField(REFLECTIONS),
+  terms: subsetField(TERMS),
+  colorInterpolation: choiceField(['srgb', 'linear']),
+  antialias: choiceField(['edges', 'full']),
   samples: numberField(64, { min: 16, max: MOST_SAMPLES, integer: true }),
   // Any limit far above what screens have would do.
   pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),
-  helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
-  view: choiceField<View>('shaded', VIEWS),
+  helpers: { ...subsetField(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
+  view: choiceField(VIEWS),
   viewLight: textField(),
   probe: {
     ...presenceField(),
