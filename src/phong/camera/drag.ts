@@ -49,7 +49,7 @@ export function shift(start: Pose, dx: number, dy: number, view: PictureFrame): 
   if (dx === 0 && dy === 0) return start;
   const step = worldPerPixel(start.radius, view);
   const { right, up } = basisOf(start);
-  const along = (i: 0 | 1 | 2): number =>
+  const along = (i: 0 | 1 | 2) =>
     clampLength(start.target[i] + step * (up[i] * dy - right[i] * dx));
   const target = [along(0), along(1), along(2)] as const;
   return target.every(Number.isFinite) ? { ...start, target } : start;

@@ -23,7 +23,7 @@ export function followDrag(
   const listening = new AbortController();
   const { signal } = listening;
   let dragged = slop === 0;
-  const end = (): void => {
+  const end = () => {
     if (signal.aborted) return;
     listening.abort('ended');
     release(dragged);

@@ -21,16 +21,16 @@ const CAPTURE = { capture: true };
  * that; if the press has `moved` something, the click that follows is kept from the page, too.
  */
 export function keepDrag(view: EventTarget | null): (moved: boolean) => void {
-  const keep = (event: Event): void => {
+  const keep = (event: Event) => {
     event.preventDefault();
     event.stopPropagation();
   };
-  const keepClick = (event: Event): void => {
+  const keepClick = (event: Event) => {
     if (!event.isTrusted) return; // a script's own
     keep(event);
     forget();
   };
-  const forget = (): void => {
+  const forget = () => {
     view?.removeEventListener('click', keepClick, CAPTURE);
     view?.removeEventListener('pointerdown', forget, CAPTURE);
   };

@@ -76,7 +76,7 @@ export class OrbitInput {
     for (const type of Object.keys(this.#handlers)) {
       // Respect preventDefault() of the page's scripts, but always track where the pointers are.
       const claimable = /down|wheel/.test(type);
-      const listener = (event: Event): void => {
+      const listener = (event: Event) => {
         if (!claimable || !event.defaultPrevented) {
           this.take(event);
         }
@@ -128,7 +128,7 @@ export class OrbitInput {
     keydown: (event) => this.#onKey(event as KeyboardEvent),
   };
 
-  #onPress(event: PointerEvent): void {
+  #onPress(event: PointerEvent) {
     const { orbit, zoom } = this.#host.allows();
     const touch = event.pointerType === 'touch';
     if ((!orbit && !zoom) || (event.button !== PRIMARY && event.button !== SECONDARY)) return;
@@ -159,7 +159,7 @@ export class OrbitInput {
     this.#host.held?.(true);
   }
 
-  #onMove(event: PointerEvent): void {
+  #onMove(event: PointerEvent) {
     if (!this.#gesture.has(event.pointerId)) return;
     // The button was released without an event (over another window, under a menu, while another
     // button is down).
@@ -190,7 +190,7 @@ export class OrbitInput {
     return false;
   }
 
-  #onLift(event: PointerEvent): void {
+  #onLift(event: PointerEvent) {
     if (!this.#gesture.has(event.pointerId)) return;
     this.#lift(event.pointerId);
     if (this.#button === SECONDARY && this.#gesture.dragged && !this.#menuCame) {
@@ -203,7 +203,7 @@ export class OrbitInput {
    * macOS open it at the press, when it is not yet known whether a drag follows: it is suppressed
    * there too.
    */
-  #onMenu(event: MouseEvent): void {
+  #onMenu(event: MouseEvent) {
     const wanted =
       !(this.#gesture.active && this.#button === SECONDARY) &&
       !(event.timeStamp <= this.#menuUntil);
@@ -220,13 +220,13 @@ export class OrbitInput {
   }
 
   /** Two fingers move the camera: `touch-action: pan-y` alone would let them scroll the page. */
-  #onTouch(event: TouchEvent): void {
+  #onTouch(event: TouchEvent) {
     if (event.cancelable && event.targetTouches.length > 1 && this.#gesture.active) {
       event.preventDefault();
     }
   }
 
-  #onWheel(event: WheelEvent): void {
+  #onWheel(event: WheelEvent) {
     // Horizontal scrolling is left to the page.
     if (event.deltaY === 0 || !this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
@@ -237,7 +237,7 @@ export class OrbitInput {
     );
   }
 
-  #onKey(event: KeyboardEvent): void {
+  #onKey(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = keyStep(event.key, event.shiftKey);
     const { orbit, zoom } = this.#host.allows();
@@ -253,7 +253,7 @@ export class OrbitInput {
     }
   }
 
-  #moveTo(pose: Pose, source: 'wheel' | 'key'): void {
+  #moveTo(pose: Pose, source: 'wheel' | 'key') {
     const { orbit } = this.#host;
     const before = orbit.version;
     orbit.set(writtenPose(pose));
@@ -270,7 +270,7 @@ export class OrbitInput {
     return area.contains(activeElement);
   }
 
-  #lift(pointerId: number): void {
+  #lift(pointerId: number) {
     this.#gesture.lift(pointerId);
     if (this.#surface.hasPointerCapture(pointerId)) {
       this.#surface.releasePointerCapture(pointerId);
@@ -280,7 +280,7 @@ export class OrbitInput {
     this.#host.held?.(false);
   }
 
-  #end(): void {
+  #end() {
     for (const id of this.#gesture.pointers) {
       this.#lift(id);
     }

@@ -5,7 +5,7 @@ import type { Pose } from './orbit.js';
 /** A pose as markup has it: angles and lengths of eight digits, the azimuth in [-180, 180). */
 export function writtenPose({ theta, phi, radius, target }: Pose): Pose {
   const near = eightDigits(radius, radius);
-  const written = (value: number): number => eightDigits(value, near);
+  const written = (value: number) => eightDigits(value, near);
   return {
     theta: wrapDegrees(written(wrapDegrees(theta))),
     phi: written(phi),

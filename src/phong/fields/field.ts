@@ -44,7 +44,7 @@ export interface Range {
   readonly integer?: boolean;
 }
 
-const spell = (n: number): string =>
+const spell = (n: number) =>
   Math.abs(n) >= 1e5 ? n.toExponential().replace('e+', 'e') : String(n);
 
 function rangeWords({ min, max, above, integer }: Range): string {

@@ -61,7 +61,7 @@ export function measure(root: Object3D): Extent {
       extend(low, high, mesh.size.vertices(), mesh.matrix);
     }
   }
-  const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
+  const middle = (i: 0 | 1 | 2) => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
   const radius = farthestFrom(center, meshes);
   return {
@@ -205,7 +205,7 @@ function extend(
   high: MutableVec3,
   places: ArrayLike<number>,
   m: readonly number[],
-): void {
+) {
   for (const axis of AXES) {
     const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
     let [least, most] = [low[axis], high[axis]];
@@ -245,11 +245,11 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
 }
 
 /** The mesh's axes are not the world's. */
-const isTurned = (m: readonly number[]): boolean =>
+const isTurned = (m: readonly number[]) =>
   m[1] !== 0 || m[2] !== 0 || m[4] !== 0 || m[6] !== 0 || m[8] !== 0 || m[9] !== 0;
 
 /** Neither turned nor stretched: distances from the mesh's own centre keep their order. */
-const isEvenlyScaled = (m: readonly number[]): boolean =>
+const isEvenlyScaled = (m: readonly number[]) =>
   !isTurned(m) && Math.abs(m[0]!) === Math.abs(m[5]!) && Math.abs(m[5]!) === Math.abs(m[10]!);
 
 /** Coordinates are below 1e30, so that their squares are finite. */
@@ -264,7 +264,7 @@ function distance([px, py, pz]: Vec3, x: number, y: number, z: number): number {
  * not shear.
  */
 export function stretch(m: readonly number[]): number {
-  const along = (i: number, j: number): number =>
+  const along = (i: number, j: number) =>
     Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);
   const xy = along(0, 4);
   const xz = along(0, 8);

@@ -45,7 +45,7 @@ function writeRow(
   m: ArrayLike<number>,
   to: ClipRows,
   at: number,
-): void {
+) {
   const x = axis[0] * share;
   const y = axis[1] * share;
   const z = axis[2] * share;
@@ -127,7 +127,7 @@ export function triangleDepth(
   return least;
 }
 
-function writeCorner(m: ClipRows, position: Position, vertex: number, at: number): void {
+function writeCorner(m: ClipRows, position: Position, vertex: number, at: number) {
   const x = position.getX(vertex);
   const y = position.getY(vertex);
   const z = position.getZ(vertex);

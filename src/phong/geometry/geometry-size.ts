@@ -83,7 +83,7 @@ export function declareSize(geometry: BufferGeometry, size: GeometrySize): void 
   sizes.set(geometry, { size, declaredFor: versionOf(geometry) });
 }
 
-const versionOf = (geometry: BufferGeometry): number =>
+const versionOf = (geometry: BufferGeometry) =>
   (geometry.getAttribute('position') as Partial<BufferAttribute>).version ?? 0;
 
 /** `copy` has the vertices of `geometry`: it is not read for itself. */

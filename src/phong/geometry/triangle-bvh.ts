@@ -116,7 +116,7 @@ function writeBoxesOfRuns(
   index: BufferAttribute | null,
   from: number,
   to: number,
-): void {
+) {
   for (let at = (6 * from) / (3 * IN_BOX), corner = from; corner < to; at += 6) {
     clear();
     for (const end = Math.min(corner + 3 * IN_BOX, to); corner < end; corner++) {
@@ -147,18 +147,18 @@ function boxesAround(below: BoxList): BoxList {
 const low = [0, 0, 0];
 const high = [0, 0, 0];
 
-function clear(): void {
+function clear() {
   low.fill(Infinity);
   high.fill(-Infinity);
 }
 
 /** NaN stays in the box: its tests then skip nothing. */
-function extend(axis: number, center: number, half: number): void {
+function extend(axis: number, center: number, half: number) {
   low[axis] = Math.min(low[axis]!, center - half);
   high[axis] = Math.max(high[axis]!, center + half);
 }
 
-function write(boxes: BoxList, at: number): void {
+function write(boxes: BoxList, at: number) {
   for (let axis = 0; axis < 3; axis++) {
     boxes[at + axis] = (low[axis]! + high[axis]!) / 2;
     boxes[at + 3 + axis] = (high[axis]! - low[axis]!) / 2;

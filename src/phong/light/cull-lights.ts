@@ -135,6 +135,6 @@ export class Cone {
  * Euclidean length in half of Math.hypot's time: it runs for every spot in every frame that moves
  * it. It loses numbers below 1e-154, which do not matter beside NEAREST.
  */
-const lengthOf = (x: number, y: number, z: number): number => Math.sqrt(x * x + y * y + z * z);
+const lengthOf = (x: number, y: number, z: number) => Math.sqrt(x * x + y * y + z * z);
 
 const cone = /* @__PURE__ */ new Cone();

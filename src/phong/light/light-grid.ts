@@ -54,7 +54,7 @@ export function divideLights(
   const reaches: Reach[] = [];
   let listed = 0;
   let unlisted = directional + point;
-  const isTooMany = (): boolean => unlisted + listed / count > packed.sent / 2;
+  const isTooMany = () => unlisted + listed / count > packed.sent / 2;
   forEachLight(packed, (light, kind, row) => {
     if (kind !== 'spot' || isTooMany()) return;
     const reached = reachedCells(packed, row, cells, scratch);
@@ -75,8 +75,8 @@ function cellsOf(box: Box): Cells {
   const extent = [box[3] - box[0], box[4] - box[1], box[5] - box[2]] as const;
   const largest = Math.max(...extent);
   let edge = largest / MOST_CELLS;
-  const along = (length: number): number => Math.max(1, Math.floor(length / edge));
-  const fits = (): boolean => along(extent[0]) * along(extent[1]) * along(extent[2]) <= MOST_CELLS;
+  const along = (length: number) => Math.max(1, Math.floor(length / edge));
+  const fits = () => along(extent[0]) * along(extent[1]) * along(extent[2]) <= MOST_CELLS;
   if (!(largest > 0)) {
     edge = 1;
   } else {
@@ -107,7 +107,7 @@ function reachedCells(
 ): Int32Array | null {
   const cone = new Cone().read(packed, row);
   let count = 0;
-  const visit = (i0: number, j0: number, k0: number, i1: number, j1: number, k1: number): void => {
+  const visit = (i0: number, j0: number, k0: number, i1: number, j1: number, k1: number) => {
     if (count > scratch.length) return;
     const x0 = box[0] + i0 * step[0] - pad;
     const y0 = box[1] + j0 * step[1] - pad;
@@ -171,12 +171,7 @@ function writeLights(
   });
 }
 
-function writeGrid(
-  reaches: readonly Reach[],
-  cells: Cells,
-  listed: number,
-  into: PackedLights,
-): void {
+function writeGrid(reaches: readonly Reach[], cells: Cells, listed: number, into: PackedLights) {
   const { box, size, step, count } = cells;
   const grid = into.rows;
   const firstCell = grid + GRID.rows;
@@ -191,7 +186,7 @@ function writeGrid(
   put(grid + GRID.scale, [...step.map((s) => (s > 0 ? 1 / s : 0)), firstListed]);
   put(grid + GRID.size, [...size, reaches.filter(({ cells }) => cells === null).length]);
   // Count the spots of each cell, then find where each list begins, then fill the lists.
-  const cell = (i: number): number => (firstCell + i) * 4;
+  const cell = (i: number) => (firstCell + i) * 4;
   for (const { cells } of reaches) {
     for (const i of cells ?? []) {
       data[cell(i) + 1]! += 1;

@@ -42,8 +42,7 @@ export interface PackedValue extends Pick<Packing<never>, 'as'> {
 }
 
 /** In x y z. */
-const isVector = ({ as }: Pick<PackedValue, 'as'>): boolean =>
-  typeof as === 'string' && as !== 'numbers';
+const isVector = ({ as }: Pick<PackedValue, 'as'>) => typeof as === 'string' && as !== 'numbers';
 
 /** The packed values of each kind. */
 export const PACKED_VALUES = byKind((kind) =>
@@ -100,14 +99,14 @@ export const LIGHT_FEATURES = Object.fromEntries([
  */
 export const TEXTURE_ROWS_LOG2 = 10;
 
-const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
-const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
+const snake = (name: string) => name.replace(/[A-Z]/g, '_$&').toUpperCase();
+const float = (n: number) => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
 /**
  * Not String(n): V8's number-to-string cache (Chromium 156) grows to 64 KiB for good when numbers
  * collide in it, as these do.
  */
-const integer = (n: number): string => n.toFixed();
+const integer = (n: number) => n.toFixed();
 
 /** `#define` lines for the GLSL. */
 export function layoutDefines(): string {

@@ -65,13 +65,13 @@ export class LightSet {
     this.#bump(null);
   }
 
-  #listen(light: LightState): void {
+  #listen(light: LightState) {
     const listener = (): void => this.#bump(light);
     light.listen(listener);
     this.#listeners.set(light, listener);
   }
 
-  #bump(light: LightState | null): void {
+  #bump(light: LightState | null) {
     this.#version += 1;
     this.changed.emit(light);
   }

@@ -87,7 +87,7 @@ export function packNothing(into: PackedLights): void {
   into.data.fill(0, 0, HEADER.rows * 4);
 }
 
-function writeCounts({ data, counts }: PackedLights): void {
+function writeCounts({ data, counts }: PackedLights) {
   for (let i = 0; i < KINDS.length; i++) {
     data[HEADER.counts * 4 + i] = counts[KINDS[i]!];
   }
@@ -106,7 +106,7 @@ function shines(light: Values, kind: LightKind): boolean {
   return lit && !hasNoDirection(light, kind);
 }
 
-const hasNoDirection = ({ position }: Values, kind: LightKind): boolean =>
+const hasNoDirection = ({ position }: Values, kind: LightKind) =>
   kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0;
 
 function packLight(
@@ -115,7 +115,7 @@ function packLight(
   factor: number,
   space: PackSpace,
   into: PackedLights,
-): void {
+) {
   const { rows } = ROWS[kind];
   reserve(into, into.rows + rows, into.sent + 1);
   const { data } = into;
@@ -140,7 +140,7 @@ function writeValue(
   space: PackSpace,
   data: Float32Array,
   first: number,
-): void {
+) {
   const at = first + offset;
   if (typeof as === 'function') {
     data[at] = as(light[key] as never);
@@ -167,14 +167,9 @@ function writeValue(
 }
 
 /** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */
-const channel = (c: number, linear: boolean): number => (linear ? srgbDecode(c / 255) : c / 255);
+const channel = (c: number, linear: boolean) => (linear ? srgbDecode(c / 255) : c / 255);
 
-function addAmbient(
-  sum: [number, number, number],
-  color: Vec3,
-  factor: number,
-  linear: boolean,
-): void {
+function addAmbient(sum: [number, number, number], color: Vec3, factor: number, linear: boolean) {
   if (isBlack(color)) return;
   sum[0] += channel(color[0], linear) * factor;
   sum[1] += channel(color[1], linear) * factor;
@@ -212,7 +207,7 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
 /**
  * A unit vector along v, not zero; divided first, so that a denormal vector keeps its direction.
  */
-function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void {
+function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3) {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;
   const y = v[1] / largest;
@@ -230,7 +225,7 @@ function writeThrough(
   y: number,
   z: number,
   w: 0 | 1,
-): void {
+) {
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;

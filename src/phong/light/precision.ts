@@ -63,7 +63,7 @@ interface Cone {
 }
 
 /** A cone whose edge a cosine finds. */
-const isBlunt = (aperture: number): boolean =>
+const isBlunt = (aperture: number) =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
 /**
@@ -83,9 +83,9 @@ export function coneLimit(aperture: number): number {
 }
 
 /** The limit as it is compared on the far side of the axis. */
-const farLimit = (aperture: number): number => -squaredSine((180 - aperture) / 2);
+const farLimit = (aperture: number) => -squaredSine((180 - aperture) / 2);
 
-const squaredSine = (degrees: number): number => sinDegrees(degrees) * sinDegrees(degrees);
+const squaredSine = (degrees: number) => sinDegrees(degrees) * sinDegrees(degrees);
 
 /**
  * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt

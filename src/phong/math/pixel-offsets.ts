@@ -50,7 +50,7 @@ let mean = { count: 0, x: 0, y: 0 };
 const SCRAMBLE_X = 0x95188cc5;
 const SCRAMBLE_Y = 0xf12f9adc;
 
-const fraction = (bits: number): number => bits / 4294967296 - 0.5;
+const fraction = (bits: number) => bits / 4294967296 - 0.5;
 
 /** Sobol's second dimension, as 32 bits after the point. */
 function sobolSecond(index: number): number {

@@ -45,7 +45,7 @@ export function plus(a: Amounts, b: Claims): Amounts {
  * twice. A pixel takes 4 bytes in the page and 5.33 on the GPU, with mipmaps; the image that is
  * being uploaded takes 8 more. A draw takes 12 kB, a node 2 kB.
  */
-const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
+const memoryOf = ({ values, pixels, parts, nodes }: Amounts) =>
   Math.ceil(
     8 * values +
       9.33 * pixels +
@@ -137,7 +137,7 @@ export class Claim {
   }
 }
 
-const isHeld = ({ claims }: Need, held: Need | undefined): boolean =>
+const isHeld = ({ claims }: Need, held: Need | undefined) =>
   held !== undefined && KEYS.every((key) => (claims[key] ?? 0) === (held.claims[key] ?? 0));
 
 interface Use {
@@ -240,7 +240,7 @@ export class Budget {
     }
   }
 
-  #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims): void {
+  #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims) {
     const use = this.#uses.get(key) ?? { claims: claims ?? NO_CLAIMS, holders: new Set() };
     const { claims: before, holders } = use;
     const { size } = holders;
@@ -261,7 +261,7 @@ export class Budget {
   }
 
   /** Draws count for each holder, everything else once. */
-  #count(claims: Claims, size: number, sign: 1 | -1): void {
+  #count(claims: Claims, size: number, sign: 1 | -1) {
     for (const key of KEYS) {
       this.#total[key] += sign * (claims[key] ?? 0) * (key === 'parts' ? size : Math.min(size, 1));
     }

@@ -51,7 +51,7 @@ export abstract class ChildElement<V extends object> extends Base {
     this.#binding.attributeChanged(attribute, text);
   }
 
-  #register(): void {
+  #register() {
     this.#binding.upgrade();
     const registry = registryAround(this);
     if (registry !== this.#registry) {

@@ -103,13 +103,13 @@ export class ChildRegistry {
 function sorted(children: ReadonlySet<HTMLElement>, viewer: Element): HTMLElement[] {
   const list: HTMLElement[] = [];
   const trees = shadowTrees(children, viewer);
-  const visit = (tree: Node): void => {
+  const visit = (tree: Node) => {
     const walker = document.createTreeWalker(tree, NodeFilter.SHOW_ELEMENT);
     while (walker.nextNode() !== null) {
       take(walker.currentNode as HTMLElement);
     }
   };
-  const take = (element: Element): void => {
+  const take = (element: Element) => {
     if (children.has(element as HTMLElement)) {
       list.push(element as HTMLElement);
     }

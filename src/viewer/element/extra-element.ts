@@ -133,7 +133,7 @@ export abstract class ExtraElement<V extends object> {
     warned.add(message);
   }
 
-  #declared(): void {
+  #declared() {
     this.declared();
     clearTimeout(this.#patience);
     if (this.element.isConnected) {
@@ -141,7 +141,7 @@ export abstract class ExtraElement<V extends object> {
     }
   }
 
-  #pageChanged(): void {
+  #pageChanged() {
     if (this.element.isConnected) {
       this.found();
       return;
@@ -158,7 +158,7 @@ interface FormCode {
   value: string;
 }
 
-function defineFormMembers(prototype: HTMLElement, own: (of: HTMLElement) => FormCode): void {
+function defineFormMembers(prototype: HTMLElement, own: (of: HTMLElement) => FormCode) {
   const define = (key: string, member: PropertyDescriptor & ThisType<HTMLElement>): unknown =>
     Object.defineProperty(prototype, key, { configurable: true, ...member });
   for (const key of ['form', 'validity', 'validationMessage', 'willValidate'] as const) {

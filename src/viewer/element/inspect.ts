@@ -75,7 +75,7 @@ const FOREIGN =
   /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_|data-|aria-|(?!ar)\w\w?-)|[^\p{L}\d\p{Pi}\p{Pf}-]/u;
 
 /** The page's first search waits for the frame of its first picture. One not shown has no frames. */
-function inspectSoon(): void {
+function inspectSoon() {
   setTimeout(() => {
     lookForTexts();
     if (searched || document.hidden) {
@@ -86,7 +86,7 @@ function inspectSoon(): void {
   });
 }
 
-function inspectAll(): void {
+function inspectAll() {
   searched = true;
   const elements = [...waiting];
   waiting.clear();
@@ -103,7 +103,7 @@ function inspectAll(): void {
   );
 }
 
-function report(suspects: readonly Element[]): void {
+function report(suspects: readonly Element[]) {
   if (suspects.length === 0) return;
   // Without this code nothing is reported, and nothing else fails.
   void diagnosisCode()
@@ -116,7 +116,7 @@ const BOXES = ['phong-viewer', 'phong-compare'];
 const isViewer = (element: Element): element is PhongViewer => element.localName === 'phong-viewer';
 
 /** Displayed, without width or height. Asks for no layout of what the browser skips. */
-const isFlat = (element: Element): boolean =>
+const isFlat = (element: Element) =>
   isPainted(element.parentElement ?? element) &&
   element.clientWidth * element.clientHeight === 0 &&
   (element.getClientRects().length > 0 || getComputedStyle(element).display === 'contents');

@@ -52,7 +52,7 @@ class LightElement extends ChildElement<LightValues> implements PublicLight {
 }
 
 /** The name of a light without one; `index` counts the viewer's lights from 0. */
-const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
+const numberedName = (index: number, texts: ViewerTexts | null = null) =>
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
 /** As the panel and explanations name a light; `index` counts the viewer's lights from 0. */

@@ -33,7 +33,7 @@ class MeshElement extends ChildElement<MeshValues> implements PublicMesh {
 }
 
 /** The same value again retries what failed. */
-function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
+function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>) {
   if (key === 'src' || key === 'geometry') {
     store.notify(key);
   }

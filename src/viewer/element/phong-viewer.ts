@@ -204,7 +204,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#limited();
   }
 
-  #limited(): void {
+  #limited() {
     this.#context.picture.invalidate(); // other levels of detail may fit
     if (this.hasUpdated) {
       this.#loading.retry();
@@ -322,7 +322,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#display.updated(changed.size > 0);
   }
 
-  #apply(changed: { has(key: string): boolean }): void {
+  #apply(changed: { has(key: string): boolean }) {
     const { values } = this.#store;
     const { viewport, picture } = this.#context;
     const { shading, reflection, terms } = values;
@@ -347,7 +347,7 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   /** Applies now what was written in this task and would otherwise wait for its end. */
-  #update(): void {
+  #update() {
     if (this.isUpdatePending && this.hasUpdated) {
       this.performUpdate();
     } else if (!this.hasUpdated) {
@@ -381,7 +381,7 @@ export type PhongViewer = PublicViewer;
 export const PhongViewer: ViewerClass = ViewerElement;
 
 /** In a comparison that has not placed it yet. */
-const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer): boolean =>
+const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer) =>
   parentElement?.localName === 'phong-compare' &&
   parentElement.shadowRoot !== null &&
   assignedSlot === null;

@@ -88,7 +88,7 @@ export const readerCode = {
  * Firefox 153 would never fetch it again after a failure
  * (https://bugzilla.mozilla.org/show_bug.cgi?id=2055211).
  */
-function requestCode({ pathname }: URL): void {
+function requestCode({ pathname }: URL) {
   const path = pathname.toLowerCase();
   const named = Object.values<FormatNames>(FORMAT_NAMES).filter(({ extensions }) =>
     extensions.some((extension) => path.endsWith(`.${extension}`)),
@@ -101,7 +101,7 @@ function requestCode({ pathname }: URL): void {
 /** Requests that no element has taken yet, by address and credentials. */
 const early = new Map<string, { readonly request: FileRequest; readonly end: AbortController }>();
 
-const earlyKey = (url: URL, crossOrigin: CrossOrigin): string =>
+const earlyKey = (url: URL, crossOrigin: CrossOrigin) =>
   `${url.href} ${String(crossOrigin === 'use-credentials')}`;
 
 /** Requests a model's file and its code for an element that is about to be defined. */
@@ -174,7 +174,7 @@ function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
   const address = url.href.split('#', 1)[0];
   return new Promise((resolve) => {
     if (typeof document === 'undefined') return;
-    const listener = (event: SecurityPolicyViolationEvent): void => {
+    const listener = (event: SecurityPolicyViolationEvent) => {
       const mine = event.blockedURI === address || event.blockedURI === url.origin;
       if (event.disposition === 'enforce' && mine) {
         resolve(event.effectiveDirective);

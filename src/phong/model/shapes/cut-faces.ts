@@ -70,9 +70,8 @@ export function cutGeometry(name: CutName, cut: Cut): BufferGeometry {
   const uv: number[] = [];
   const index: number[] = [];
   // A cube that ends in a face's edge meets the face in a line.
-  const same = (a: number, b: number): boolean =>
-    uv[2 * a] === uv[2 * b] && uv[2 * a + 1] === uv[2 * b + 1];
-  const add = (a: number, b: number, c: number): void => {
+  const same = (a: number, b: number) => uv[2 * a] === uv[2 * b] && uv[2 * a + 1] === uv[2 * b + 1];
+  const add = (a: number, b: number, c: number) => {
     if (!same(a, b) && !same(b, c) && !same(c, a)) {
       index.push(a, b, c);
     }
@@ -129,10 +128,10 @@ function rectanglesOf([u, v, w, uSign, vSign, at]: Face, { center, half }: Cut):
   let size = 1;
   for (let i = 0; i < MOST_CUBES; i++) {
     // The same sums for the two faces of an edge, which are cut in the same points.
-    const from = (axis: 0 | 1 | 2): number => center[axis] - size * half[axis];
-    const to = (axis: 0 | 1 | 2): number => center[axis] + size * half[axis];
-    const low = (axis: 0 | 1 | 2): number => Math.max(from(axis), -0.5);
-    const high = (axis: 0 | 1 | 2): number => Math.min(to(axis), 0.5);
+    const from = (axis: 0 | 1 | 2) => center[axis] - size * half[axis];
+    const to = (axis: 0 | 1 | 2) => center[axis] + size * half[axis];
+    const low = (axis: 0 | 1 | 2) => Math.max(from(axis), -0.5);
+    const high = (axis: 0 | 1 | 2) => Math.min(to(axis), 0.5);
     size *= RATIO;
     const meets = from(w) <= at && to(w) >= at && low(u) <= high(u) && low(v) <= high(v);
     if (!meets) continue;

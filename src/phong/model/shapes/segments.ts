@@ -67,9 +67,9 @@ export function cutFor(view: Frustum, name: CutName, m: readonly number[]): Cut 
   while (0.75 * unit > near) {
     unit /= 2;
   }
-  const place = (axis: 0 | 1 | 2): number =>
+  const place = (axis: 0 | 1 | 2) =>
     length[axis] > 0 ? ((Math.round((2 * along[axis]) / unit) / 2) * unit) / length[axis] : 0;
-  const reach = (axis: 0 | 1 | 2): number => (length[axis] > 0 ? (2 * unit) / length[axis] : 1);
+  const reach = (axis: 0 | 1 | 2) => (length[axis] > 0 ? (2 * unit) / length[axis] : 1);
   return {
     center: [place(0), place(1), place(2)],
     half: [reach(0), reach(1), reach(2)],
@@ -93,7 +93,7 @@ function measureFrom(
   { frame: { origin, eye } }: Frustum,
   name: GeometryName,
   m: readonly number[],
-): void {
+) {
   const x = origin[0] + eye[0] - m[12]!;
   const y = origin[1] + eye[1] - m[13]!;
   const z = origin[2] + eye[2] - m[14]!;

@@ -101,8 +101,7 @@ const solid =
     solidsCode((code) => code.SOLIDS[name](n, out, isLevel));
 
 /** Segments across the main ones, half as many. */
-const rowsOf = (segments: number, least: number): number =>
-  Math.max(least, Math.round(segments / 2));
+const rowsOf = (segments: number, least: number) => Math.max(least, Math.round(segments / 2));
 
 function sphere(columns: number, out: number): BufferGeometry {
   const rows = rowsOf(columns, 2);

@@ -9,7 +9,7 @@ const PATCHES = 32;
 const PATCHES_AROUND = 4;
 
 /** Patches whose first row is one point: the top of the lid and the middle of the bottom. */
-const isClosed = (patch: number): boolean => (patch >= 20 && patch < 24) || patch >= 28;
+const isClosed = (patch: number) => (patch >= 20 && patch < 24) || patch >= 28;
 
 /**
  * Extent along x of the round teapot in three.js's size 1, and the centre of its box, which is on
@@ -22,7 +22,7 @@ const CENTER = 0.13780166;
 const NO_NORMAL = 1e-5;
 
 /** The patches of the spout's bend, whose rows lie across it. */
-const isBend = (patch: number): boolean => patch === 16 || patch === 17;
+const isBend = (patch: number) => patch === 16 || patch === 17;
 
 /**
  * `segments`: once round the body, at least 12; rounded to whole divisions of a patch. `isLevel`:
@@ -93,7 +93,7 @@ const beside = new Float64Array(3);
  * Writes a mean of the four quarters of `values`, by the weights number `t`. It is summed from both
  * ends: what two patches share is the same number from either side.
  */
-function blend(weights: Float64Array, t: number, values: Float64Array, mean: Float64Array): void {
+function blend(weights: Float64Array, t: number, values: Float64Array, mean: Float64Array) {
   const w = SAMPLES * t;
   const step = mean.length;
   const a = weights[w]!;

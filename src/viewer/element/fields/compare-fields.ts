@@ -50,7 +50,7 @@ export const COMPARE_FIELDS: Fields<CompareValues> = {
 /** A text, or a list of texts without commas. */
 function labelsField(): Field<string> {
   const text = textField('', 'text, or a list of texts without commas');
-  const isLabel = (label: unknown): boolean => typeof label === 'string' && !label.includes(',');
+  const isLabel = (label: unknown) => typeof label === 'string' && !label.includes(',');
   return {
     ...text,
     check: (value) =>

@@ -78,6 +78,6 @@ const ROUNDING = 1e-4;
 function insideGamut(color: Vec3): Vec3 | null {
   if (!color.every((c) => c >= -ROUNDING && c <= 1 + ROUNDING)) return null;
   // Browsers serialise six decimals. Rounding to three of 255 gives #fc8 back as 255 204 136.
-  const byte = (c: number): number => Math.round(255e3 * clamp(c, 0, 1)) / 1e3;
+  const byte = (c: number) => Math.round(255e3 * clamp(c, 0, 1)) / 1e3;
   return [byte(color[0]), byte(color[1]), byte(color[2])];
 }

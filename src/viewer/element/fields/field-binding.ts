@@ -91,7 +91,7 @@ export class FieldBinding<V extends object> {
     }
   }
 
-  #setOrWarn(key: keyof V & string, value: unknown): void {
+  #setOrWarn(key: keyof V & string, value: unknown) {
     try {
       this.#put(key, value);
     } catch {
@@ -102,7 +102,7 @@ export class FieldBinding<V extends object> {
     this.#assigned?.(key, this.store);
   }
 
-  #put(key: keyof V & string, value: unknown): void {
+  #put(key: keyof V & string, value: unknown) {
     const field = this.store.field(key);
     const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
     if (typed === undefined && typeof value === 'string') {
@@ -119,7 +119,7 @@ export class FieldBinding<V extends object> {
   }
 
   /** One warning per element, attribute and value. */
-  #warn(key: keyof V & string, value: unknown): void {
+  #warn(key: keyof V & string, value: unknown) {
     const message = valueWarning(this.#element.localName, key, value, this.store.fields[key]);
     const warned = (this.#warned ??= new Set());
     if (warned.has(message)) return;

@@ -38,7 +38,7 @@ export const phrase = (
 export function checkedTexts(value: unknown): ViewerTexts | null {
   if (value === null || value === undefined) return null;
   const texts = Object.entries(value);
-  const isText = (text: unknown): boolean => typeof text === 'string' || text === undefined;
+  const isText = (text: unknown) => typeof text === 'string' || text === undefined;
   if (
     typeof value !== 'object' ||
     Array.isArray(value) ||

@@ -5,7 +5,7 @@ import { requestEarly } from '../../model/request-model.js';
 import { isInClosed } from './closed.js';
 
 /** Values set before the elements are defined replace the attributes. */
-const isSet = (element: Element): boolean =>
+const isSet = (element: Element) =>
   ['src', 'loading', 'crossOrigin'].some((key) => Object.hasOwn(element, key));
 
 if (typeof document !== 'undefined' && customElements.get('phong-viewer') === undefined) {

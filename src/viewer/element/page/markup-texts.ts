@@ -22,7 +22,7 @@ export function readTexts(): void {
     document.querySelectorAll<HTMLScriptElement>(TEXT_SCRIPTS),
     ({ text }) => text,
   );
-  const isNew = (text: string): boolean => !sources.includes(text);
+  const isNew = (text: string) => !sources.includes(text);
   if (found.length === sources.length && !found.some(isNew)) return;
   const all: ViewerTexts[] = [];
   for (const text of found) {

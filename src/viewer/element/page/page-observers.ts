@@ -111,7 +111,7 @@ export class PageObservers {
     }
   }
 
-  #listen(): void {
+  #listen() {
     const { view } = this;
     const { signal } = (this.#listeners = new AbortController());
     view.document.addEventListener('visibilitychange', () => this.#each('shown'), { signal });
@@ -129,21 +129,21 @@ export class PageObservers {
    * Observers do not always report a new pixel ratio. A query matches one ratio, so each change
    * needs a new query.
    */
-  #watchRatio(signal: AbortSignal): void {
+  #watchRatio(signal: AbortSignal) {
     const query = this.view.matchMedia(`(resolution: ${String(this.view.devicePixelRatio)}dppx)`);
-    const changed = (): void => {
+    const changed = () => {
       this.#watchRatio(signal);
       this.#each('scaled');
     };
     query.addEventListener('change', changed, { once: true, signal });
   }
 
-  readonly #printed = (): void => {
+  readonly #printed = () => {
     this.#each('printed', performance.now() + PRINT_MS);
   };
 
   /** One broken viewer, as with objects of the page's own, must not stop the others. */
-  #each(report: 'shown' | 'scaled' | 'closed' | 'printed', deadline = 0): void {
+  #each(report: 'shown' | 'scaled' | 'closed' | 'printed', deadline = 0) {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) {
       try {

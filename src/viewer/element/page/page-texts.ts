@@ -38,7 +38,7 @@ export const textsOver = (
 ): ViewerTexts | null =>
   first === null || last === null ? (first ?? last) : Object.freeze({ ...last, ...first });
 
-function combine(): void {
+function combine() {
   texts = textsOver(assigned, declared);
   for (const user of users) {
     // Lit updates only where the old value differs from the present one. `users` is no element's

@@ -21,7 +21,7 @@ export function addStyles(root: ShadowRoot, text: string): () => void {
   return () => removeStyles(root, text);
 }
 
-function removeStyles(root: ShadowRoot, text: string): void {
+function removeStyles(root: ShadowRoot, text: string) {
   used.get(root)?.delete(text);
   const sheet = sheetOf(root.ownerDocument, text);
   // In a document without a window, such as a template's, the root may still have the sheets of the

@@ -6,7 +6,7 @@
 const page = typeof document === 'undefined' ? null : document;
 
 /** The browser reports the refusal in a task of its own, after Lit has thrown. */
-function refused({ blockedURI, sample, disposition }: SecurityPolicyViolationEvent): void {
+function refused({ blockedURI, sample, disposition }: SecurityPolicyViolationEvent) {
   if (blockedURI !== 'trusted-types-policy' || sample !== 'lit-html' || disposition !== 'enforce') {
     return;
   }

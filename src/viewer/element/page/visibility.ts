@@ -166,7 +166,7 @@ export class Visibility implements ReactiveController {
    * Reports come after their frame: meanwhile the element may have been shown. Browsers round both
    * times, so equal ones may be that late too.
    */
-  #reported({ time }: IntersectionObserverEntry): void {
+  #reported({ time }: IntersectionObserverEntry) {
     if (time <= this.#located && this.#page !== null) {
       this.#locate(this.#page);
       this.#page.reportAgain(this.#element);
@@ -174,26 +174,26 @@ export class Visibility implements ReactiveController {
     this.shown();
   }
 
-  #locate({ margin, view }: PageObservers): void {
+  #locate({ margin, view }: PageObservers) {
     this.#located = view.performance.now();
     const distance = distanceFromView(this.#element);
     this.#inView = distance < 0;
     this.#near = distance < margin;
   }
 
-  readonly #onTransition = ({ propertyName }: TransitionEvent): void => {
+  readonly #onTransition = ({ propertyName }: TransitionEvent) => {
     if (propertyName === 'visibility') {
       this.shown();
     }
   };
 
-  #measure(width: number, height: number): void {
+  #measure(width: number, height: number) {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS
     // pixel.
     const zoom = zoomOf(this.#element);
     const ratio = Math.min((this.#page?.view.devicePixelRatio ?? 1) * zoom, this.#maxRatio);
     // A low limit leaves one pixel at least.
-    const pixels = (length: number): number =>
+    const pixels = (length: number) =>
       Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
     this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
     this.#refine();
@@ -203,7 +203,7 @@ export class Visibility implements ReactiveController {
    * Uses the browser's pixels if they round what was measured: an emulated pixel ratio does not
    * reach the box.
    */
-  #refine(): void {
+  #refine() {
     if (this.#box === undefined) return;
     const { inlineSize: width, blockSize: height } = this.#box; // see own-text.css
     const { pixelWidth, pixelHeight } = this.#size;
@@ -249,12 +249,12 @@ function distanceFromView(element: Element): number {
 }
 
 /** The overflow of these is the window's. */
-const isPage = (box: Element): boolean =>
+const isPage = (box: Element) =>
   box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
 
 type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
 
-const gap = (a: Edges, b: Edges): number =>
+const gap = (a: Edges, b: Edges) =>
   Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
 
 /**

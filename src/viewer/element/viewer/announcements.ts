@@ -83,14 +83,14 @@ export class ViewerAnnouncements implements ReactiveController {
     }
   }
 
-  #describeSoon(): void {
+  #describeSoon() {
     if (this.#timer === 0) {
       this.#wait(this.#scene === null ? 0 : PAUSE);
     }
   }
 
   /** The viewer that the user moves speaks for those linked to it. */
-  #follow({ source, linked }: CameraMove): void {
+  #follow({ source, linked }: CameraMove) {
     if (source === 'script' || source === 'auto' || linked) return;
     this.#cameraMoved = true;
     this.#userActed();
@@ -100,7 +100,7 @@ export class ViewerAnnouncements implements ReactiveController {
    * Lights were written to; none: they came, went or changed places. Call when `light-change` is
    * dispatched.
    */
-  #lightsChanged(lights: readonly PhongLight[]): void {
+  #lightsChanged(lights: readonly PhongLight[]) {
     // These write while an event of the user is dispatched to them. All other writes are a
     // script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
@@ -113,7 +113,7 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#userActed();
   }
 
-  #userActed(): void {
+  #userActed() {
     // Screen readers announce only changes of a region that is there already.
     if (this.#spoken === null) {
       this.#spoken = '';
@@ -125,7 +125,7 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#wait(PAUSE);
   }
 
-  #wait(ms: number): void {
+  #wait(ms: number) {
     this.#timer = window.setTimeout(() => {
       this.#timer = 0;
       const [spoken, scene] = [this.#spoken, this.#scene];
@@ -137,7 +137,7 @@ export class ViewerAnnouncements implements ReactiveController {
     }, ms);
   }
 
-  #announce(): void {
+  #announce() {
     const { camera, lights } = this.#viewer;
     const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];
     if (this.#counted) {
@@ -155,13 +155,13 @@ export class ViewerAnnouncements implements ReactiveController {
     }
   }
 
-  #forget(): void {
+  #forget() {
     this.#cameraMoved = false;
     this.#counted = false;
     this.#lights.clear();
   }
 
-  #describe(): void {
+  #describe() {
     const texts = (this.#language = this.#texts);
     const { camera, lights } = this.#viewer;
     const names = lights.slice(0, NAMED + 1).map((light, i) => {

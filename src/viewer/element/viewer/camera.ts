@@ -105,7 +105,7 @@ export class ViewerCamera implements ReactiveController {
    */
   place({ pose, framing }: CameraPlacement, source: CameraSource, linked = false): void {
     const { orbit, fit } = this.#context.picture;
-    const write = (): void => {
+    const write = () => {
       orbit.set(pose);
       if (framing !== fit.framing) {
         fit.framing = framing;
@@ -169,7 +169,7 @@ export class ViewerCamera implements ReactiveController {
   }
 
   /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
-  #setInView(inView: boolean): void {
+  #setInView(inView: boolean) {
     this.#inView = inView;
     if (inView) {
       this.#startMotion();
@@ -197,7 +197,7 @@ export class ViewerCamera implements ReactiveController {
     return this.turning || (this.mayMove && this.#context.picture.animations.playing);
   }
 
-  readonly #startMotion = (): void => {
+  readonly #startMotion = () => {
     if (this.moving) {
       this.#context.viewport.animate();
     }
@@ -207,7 +207,7 @@ export class ViewerCamera implements ReactiveController {
    * Counts as a move if `write` changes where the camera is. A drag in progress continues from
    * there.
    */
-  #move(source: CameraSource, write: () => void, linked = false): void {
+  #move(source: CameraSource, write: () => void, linked = false) {
     const { picture } = this.#context;
     const before = picture.orbit.version;
     write();
@@ -220,12 +220,12 @@ export class ViewerCamera implements ReactiveController {
     }
   }
 
-  #moved(source: CameraSource): void {
+  #moved(source: CameraSource) {
     this.#changed(source, false);
     this.link?.moved(this, source);
   }
 
-  #changed(source: CameraSource, linked: boolean): void {
+  #changed(source: CameraSource, linked: boolean) {
     this.#context.picture.invalidate();
     this.#context.signals.cameraMoved.emit({ source, linked });
   }

@@ -82,7 +82,7 @@ export class ViewerChildren {
    * Looks for children that came or went without a callback of theirs: outside a document, or into
    * the slot of a component whose shadow tree holds the viewer.
    */
-  readonly #refresh = (): void => {
+  readonly #refresh = () => {
     const slots = Array.from(this.#viewer.querySelectorAll('slot'));
     const shown = slots.flatMap((slot) => slot.assignedElements({ flatten: true }));
     const found = [this.#viewer, ...shown].flatMap((root) => [
@@ -116,7 +116,7 @@ export class ViewerChildren {
     if (this.#changed.size === 0) return;
     const changed = [...this.#changed];
     this.#changed.clear();
-    const isHere = (element: PhongMesh): boolean => this.#registry.all.has(element);
+    const isHere = (element: PhongMesh) => this.#registry.all.has(element);
     // Those that have gone make room for those that load.
     for (const element of changed) {
       if (!isHere(element)) {
@@ -131,7 +131,7 @@ export class ViewerChildren {
     this.#context.signals.meshesChanged.emit();
   }
 
-  #addLight(state: LightState): void {
+  #addLight(state: LightState) {
     const { lightSet } = this.#context;
     if (lightSet.lights[0] === this.#headLight) {
       lightSet.assign([state]);
@@ -140,7 +140,7 @@ export class ViewerChildren {
     }
   }
 
-  #removeLight(state: LightState): void {
+  #removeLight(state: LightState) {
     const { lightSet } = this.#context;
     if (lightSet.lights.length === 1) {
       lightSet.assign([this.#headLight]);
@@ -149,7 +149,7 @@ export class ViewerChildren {
     }
   }
 
-  #sortLights(lights: readonly PhongLight[]): void {
+  #sortLights(lights: readonly PhongLight[]) {
     if (sameValue(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
     if (lights.length > 0) {
@@ -157,7 +157,7 @@ export class ViewerChildren {
     }
   }
 
-  #addMesh(element: PhongMesh): void {
+  #addMesh(element: PhongMesh) {
     // Removed and inserted again in one task, it keeps its model.
     let mesh = this.#shown.get(element);
     if (mesh === undefined) {
@@ -169,7 +169,7 @@ export class ViewerChildren {
     mesh.written();
   }
 
-  #dropMesh(element: PhongMesh): void {
+  #dropMesh(element: PhongMesh) {
     const mesh = this.#shown.get(element);
     if (mesh === undefined) return;
     // Another viewer may have taken it over already and listens now.
@@ -178,7 +178,7 @@ export class ViewerChildren {
     this.#context.picture.remove(mesh);
   }
 
-  #sortMeshes(meshes: readonly PhongMesh[]): void {
+  #sortMeshes(meshes: readonly PhongMesh[]) {
     if (sameValue(meshes, this.#meshes)) return;
     this.#meshes = Object.freeze(meshes);
     this.#context.picture.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
@@ -186,7 +186,7 @@ export class ViewerChildren {
   }
 
   /** Several values written in one task make one update. */
-  #flushLater(element: PhongMesh): void {
+  #flushLater(element: PhongMesh) {
     if (this.#changed.size === 0) {
       queueMicrotask(() => this.flush());
     }

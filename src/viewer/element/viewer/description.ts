@@ -58,7 +58,7 @@ export function lightText(texts: ViewerTexts | null, name: string, values: Light
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
 /** Three digits are enough for the ear. A minus sign, because some screen readers skip a hyphen. */
-const numbers = (values: readonly number[], texts: ViewerTexts | null): string =>
+const numbers = (values: readonly number[], texts: ViewerTexts | null) =>
   values
     .map((value) => localNumber(String(Number(value.toPrecision(3))), texts))
     .join(' ')
@@ -94,12 +94,8 @@ export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string
     phrase(texts, 'Home resets the camera.'),
   );
 
-const usable = (
-  { orbit, zoom }: PhongViewer,
-  rotate: string,
-  scale: string,
-  reset: string,
-): string => [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
+const usable = ({ orbit, zoom }: PhongViewer, rotate: string, scale: string, reset: string) =>
+  [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
 
 /** The picture has a name, needs none, or is hidden from assistive technology. */
 export const isNamed = (viewer: PhongViewer): boolean =>
@@ -108,5 +104,5 @@ export const isNamed = (viewer: PhongViewer): boolean =>
   viewer.closest('[aria-hidden=true]') !== null;
 
 /** By `alt=""`, as for an image, or by a role. */
-const isDecoration = (viewer: PhongViewer): boolean =>
+const isDecoration = (viewer: PhongViewer) =>
   fieldsOf(viewer).store.given('alt') || viewer.matches('[role=none],[role=presentation]');

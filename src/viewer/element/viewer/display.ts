@@ -143,13 +143,13 @@ export class ViewerDisplay {
     </div>`;
   }
 
-  readonly #onButton = (): void => {
+  readonly #onButton = () => {
     if (!this.#loading.dismiss()) {
       this.#loading.retry();
     }
   };
 
-  readonly #onKey = (event: Event): void => {
+  readonly #onKey = (event: Event) => {
     // Escape must do nothing else then, such as closing a dialog around the viewer.
     const escapes = (event as KeyboardEvent).key === 'Escape' && !event.defaultPrevented;
     if (escapes && this.#loading.dismiss()) {
@@ -160,7 +160,7 @@ export class ViewerDisplay {
     }
   };
 
-  readonly #dropPoster = (): void => {
+  readonly #dropPoster = () => {
     this.#badPoster = this.#viewer.poster;
     this.#viewer.requestUpdate();
   };
@@ -225,7 +225,7 @@ export class ViewerDisplay {
     }
   }
 
-  #setState(state: 'loading' | 'error' | 'empty', on: boolean): void {
+  #setState(state: 'loading' | 'error' | 'empty', on: boolean) {
     if (on) {
       this.#states?.add(state);
     } else {
@@ -237,7 +237,7 @@ export class ViewerDisplay {
    * Removes the poster and its slot once everything requested has been drawn for the first time, or is known to
    * fail.
    */
-  #reveal(): void {
+  #reveal() {
     if (this.#revealed || this.#loading.pending || !this.#context.viewport.upToDate) return;
     if (this.#failure.newest !== null && !this.#loading.shows) return;
     this.#revealed = true;
@@ -245,7 +245,7 @@ export class ViewerDisplay {
   }
 
   /** Objects of the scene may have come or gone. Cheap: called for each frame. */
-  #checkEmpty(): void {
+  #checkEmpty() {
     if (this.#isEmpty !== this.#empty) {
       this.#viewer.requestUpdate();
     }

@@ -16,13 +16,13 @@ export function create({ viewer }: ExtraHost): Extra {
     event.preventDefault();
     return dataTransfer;
   };
-  const onOver = (event: DragEvent): void => {
+  const onOver = (event: DragEvent) => {
     const transfer = takes(event);
     if (transfer !== null) {
       transfer.dropEffect = 'copy';
     }
   };
-  const onDrop = (event: DragEvent): void => {
+  const onDrop = (event: DragEvent) => {
     const transfer = takes(event);
     if (transfer === null) return;
     const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter(

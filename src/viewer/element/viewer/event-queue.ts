@@ -65,7 +65,7 @@ export class EventQueue {
     }
   }
 
-  readonly #dispatch = (): void => {
+  readonly #dispatch = () => {
     const waiting = this.#waiting;
     const lights = Object.freeze([...(this.#lights ?? [])]);
     this.#waiting = [];

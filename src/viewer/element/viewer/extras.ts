@@ -161,7 +161,7 @@ export class ViewerExtras implements ReactiveController {
     return picture;
   }
 
-  #wait(fetched: Promise<void>): void {
+  #wait(fetched: Promise<void>) {
     this.#fetching.add(fetched);
     void fetched.then(() => {
       this.#fetching.delete(fetched);
@@ -170,7 +170,7 @@ export class ViewerExtras implements ReactiveController {
     });
   }
 
-  #drop(kind: ExtraKind): void {
+  #drop(kind: ExtraKind) {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
     extra?.dispose();
@@ -191,7 +191,7 @@ export class ViewerExtras implements ReactiveController {
 }
 
 /** @throws RangeError unless sizes and samples are whole and in their ranges. */
-function requireCounts({ width, height, samples }: PictureOptions): void {
+function requireCounts({ width, height, samples }: PictureOptions) {
   for (const [name, value, most] of [
     ['width', width, Infinity],
     ['height', height, Infinity],

@@ -80,14 +80,14 @@ export class ViewerFailure {
   }
 
   /** Once, however often the context is lost again or refused before it works. */
-  #reportContext(detail: ViewerErrorDetail): void {
+  #reportContext(detail: ViewerErrorDetail) {
     const code = this.#present.get(CONTEXT)?.detail.code;
     if (code !== detail.code) {
       this.#add({ subject: CONTEXT, detail, fact: detail.message });
     }
   }
 
-  #add(failure: Failure): void {
+  #add(failure: Failure) {
     const { subject, detail } = failure;
     this.#present.delete(subject);
     this.#present.set(subject, failure);

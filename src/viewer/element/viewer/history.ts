@@ -78,7 +78,7 @@ class History {
     const before = subject.read();
     return {
       restore: (): void => subject.restore(subject.read(), before),
-      end: (): void => {
+      end: () => {
         const after = subject.read();
         if (!subject.same(before, after)) {
           this.#add({ subject, before, after, gesture });
@@ -121,7 +121,7 @@ class History {
     return () => this.#changed.delete(changed);
   }
 
-  #add(step: Step): void {
+  #add(step: Step) {
     const last = this.#done.at(-1);
     if (this.#open && step.gesture !== null && last?.gesture === step.gesture) {
       last.after = step.after;
@@ -147,7 +147,7 @@ class History {
     return true;
   }
 
-  #notify(): void {
+  #notify() {
     for (const changed of this.#changed) {
       changed();
     }
@@ -228,7 +228,7 @@ function holds(element: HTMLElement, node: Node | null): boolean {
 
 /** A step back that would move one into itself does nothing. */
 function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
-  const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
+  const stays = (a: TreePlace | undefined, b: TreePlace | undefined) =>
     a?.parent === b?.parent && a?.next === b?.next;
   return {
     read: () =>

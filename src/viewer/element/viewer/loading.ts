@@ -93,7 +93,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#context.viewport.drawable;
   }
 
-  #drawn(): void {
+  #drawn() {
     this.#hasDrawn = true;
     for (const mesh of this.#undrawn) {
       mesh.drawn();
@@ -108,7 +108,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   #recover(error: unknown, draw: () => void): boolean {
     const meshes = [...this.#undrawn];
     if (meshes.length === 0) return false;
-    const show = (visible: boolean): void => {
+    const show = (visible: boolean) => {
       for (const { shown } of meshes) {
         if (shown.root !== null) {
           shown.root.visible = visible;
@@ -174,7 +174,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   /** Later: meshes may be being updated now. */
-  #emitEnded(): void {
+  #emitEnded() {
     queueMicrotask(() => this.#context.signals.ended.emit());
   }
 
@@ -288,12 +288,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.update();
   };
 
-  readonly #showBar = (): void => {
+  readonly #showBar = () => {
     this.#isSlow = true;
     this.#context.viewer.requestUpdate();
   };
 
-  #end(mesh: SceneMesh): void {
+  #end(mesh: SceneMesh) {
     this.#context.viewport.animate(); // the first picture may have waited for it
     if (!this.#active.delete(mesh)) return;
     this.#shares.set(mesh, 1);
@@ -311,7 +311,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return shares.reduce<number>((sum, share) => sum + (share ?? 0), 0) / shares.length;
   }
 
-  #enqueueProgress(): void {
+  #enqueueProgress() {
     const totalProgress = this.pending ? (this.#share ?? 0) : 1;
     this.#events.enqueue('progress', { totalProgress });
   }
@@ -322,7 +322,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 }
 
 /** Its values name something to show. */
-const isWanted = ({ values }: SceneMesh): boolean => values.src !== '' || values.geometry !== null;
+const isWanted = ({ values }: SceneMesh) => values.src !== '' || values.geometry !== null;
 
 /** The code of its shape is being fetched. */
-const awaitsShape = ({ load, values }: SceneMesh): boolean => load.pending && values.src === '';
+const awaitsShape = ({ load, values }: SceneMesh) => load.pending && values.src === '';

@@ -41,7 +41,7 @@ export class Readiness {
     }
   }
 
-  #renew(): void {
+  #renew() {
     this.#resolve?.();
     this.#promise = new Promise((resolve) => (this.#resolve = resolve));
   }

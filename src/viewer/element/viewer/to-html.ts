@@ -74,7 +74,7 @@ function treeOf(viewer: Element): ReadonlyMap<Element, readonly Element[]> {
   return tree;
 }
 
-const kept = (element: Element): string =>
+const kept = (element: Element) =>
   KEPT.map((name) => {
     const text = element.getAttribute(name) ?? '';
     return text === '' ? '' : attribute(name, text);
@@ -125,5 +125,5 @@ function hostedName(tag: string, file: Blob): string {
   return encodeURIComponent(name);
 }
 
-const attribute = (name: string, text: string): string =>
+const attribute = (name: string, text: string) =>
   ` ${name}${text === '' ? '' : `="${text.replace(/[&"<>\r]/g, (c) => `&#${String(c.charCodeAt(0))};`)}"`}`;

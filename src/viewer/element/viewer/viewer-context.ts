@@ -51,7 +51,7 @@ export class ViewerContext {
     return this.store.values;
   }
 
-  #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView): void {
+  #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView) {
     this.viewport.resize(sizeOnPage({ width: pixelWidth, height: pixelHeight }));
     this.viewport.visible = visible;
     this.viewport.near = this.values.loading === 'eager' ? painted : near;

@@ -71,7 +71,7 @@ export class ViewerPanel {
     this.#changes.add(what);
   }
 
-  readonly #update = (): void => {
+  readonly #update = () => {
     const changes = [...this.#changes];
     this.#changes.clear();
     for (const change of changes) {

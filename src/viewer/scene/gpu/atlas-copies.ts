@@ -101,8 +101,7 @@ export class AtlasCopies {
    */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser
-    const isKept = (viewport: CopiedPicture): boolean =>
-      viewport.drawable || this.#fresh.has(viewport);
+    const isKept = (viewport: CopiedPicture) => viewport.drawable || this.#fresh.has(viewport);
     let surplus = -KEPT_SCREENS * screenPixels();
     for (const [viewport, { width, height }] of this.#canvases) {
       if (!isKept(viewport)) {

@@ -129,7 +129,7 @@ export class SharedContext {
   }
 
   /** Makes a renderer, unless the context is lost already. */
-  #start(gl: WebGL2RenderingContext): void {
+  #start(gl: WebGL2RenderingContext) {
     this.#state = 'open';
     document.removeEventListener('visibilitychange', this.#onVisible);
     try {
@@ -142,7 +142,7 @@ export class SharedContext {
     this.noticeLoss();
   }
 
-  #lose(): void {
+  #lose() {
     this.#state = 'lost';
     this.#changed('contextLost');
     // Now, while the context is lost: deleting these objects on the restored context would be an
@@ -150,7 +150,7 @@ export class SharedContext {
     this.#disposeRenderer();
   }
 
-  #release(): void {
+  #release() {
     this.#state = 'closed';
     const gl = this.#gl;
     if (gl === null) return;
@@ -161,12 +161,12 @@ export class SharedContext {
     closeContext(gl);
   }
 
-  #disposeRenderer(): void {
+  #disposeRenderer() {
     this.#renderer?.dispose();
     this.#renderer = null;
   }
 
-  readonly #onVisible = (): void => {
+  readonly #onVisible = () => {
     if (document.visibilityState === 'visible') {
       this.retry();
     }
@@ -174,7 +174,7 @@ export class SharedContext {
 
   // three.js must see neither event: it would write to the console, and a restored context gets a
   // new renderer.
-  readonly #onLost = (event: Event): void => {
+  readonly #onLost = (event: Event) => {
     event.stopImmediatePropagation();
     event.preventDefault(); // otherwise the context is never restored
     if (this.#state === 'open') {
@@ -182,7 +182,7 @@ export class SharedContext {
     }
   };
 
-  readonly #onRestored = (event: Event): void => {
+  readonly #onRestored = (event: Event) => {
     event.stopImmediatePropagation();
     if (this.#gl === null) return;
     const { canvas } = this.#gl;
@@ -258,14 +258,14 @@ type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
  * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup
  * shows. three.js would sort by material, in the order in which materials were created.
  */
-const byScene = (a: RenderItem, b: RenderItem): number =>
+const byScene = (a: RenderItem, b: RenderItem) =>
   a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
 
 /**
  * Farther objects first. At equal depth this keeps the scene's order; three.js would sort by
  * creation.
  */
-const fromBehind = (a: RenderItem, b: RenderItem): number => byScene(a, b) || b.z - a.z;
+const fromBehind = (a: RenderItem, b: RenderItem) => byScene(a, b) || b.z - a.z;
 
 /**
  * Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when
@@ -299,7 +299,7 @@ function canBeCopied(gl: WebGL2RenderingContext): boolean {
  * Releases the context now, or as soon as it is restored. Browsers allow few, and garbage
  * collection would release it late.
  */
-function closeContext(gl: WebGL2RenderingContext): void {
+function closeContext(gl: WebGL2RenderingContext) {
   const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
   gl.canvas.addEventListener('webglcontextrestored', close, { once: true });
   close();

@@ -110,7 +110,7 @@ class Pace {
     this.#gl = this.#fence = null;
   }
 
-  readonly #endFrame = (): void => {
+  readonly #endFrame = () => {
     this.#isDrawing = false;
     setTimeout(() => (this.#free = performance.now()));
     const measures = this.#measures;
@@ -141,7 +141,7 @@ class Pace {
     return performance.now() - begun;
   }
 
-  #mark(): void {
+  #mark() {
     const gl = this.#gl;
     this.#fence = gl && gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl?.flush(); // nothing else may follow for seconds
@@ -188,7 +188,7 @@ class Pace {
     this.#waits = false;
   }
 
-  #end(time: number): void {
+  #end(time: number) {
     const isVain = this.#drawn < 1 && this.#before > 0 && time > VAIN * this.#before;
     let trusted = isVain ? VAIN_FOR : TRUSTED;
     this.#before = 0;

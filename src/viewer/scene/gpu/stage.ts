@@ -225,7 +225,7 @@ class Stage {
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
-  #drawAlone(viewport: StagedPicture, renderer: WebGLRenderer, render: Draw): void {
+  #drawAlone(viewport: StagedPicture, renderer: WebGLRenderer, render: Draw) {
     this.#beforeOverwriting();
     // The second time only if the browser gave less: the viewport's size has become smaller then.
     if (!this.#context.resize(viewport)) {
@@ -242,7 +242,7 @@ class Stage {
   }
 
   /** Draws a capture into `target`, which has its size, tile by tile. */
-  #drawTiles(renderer: WebGLRenderer, target: CanvasRenderingContext2D, render: DrawPart): void {
+  #drawTiles(renderer: WebGLRenderer, target: CanvasRenderingContext2D, render: DrawPart) {
     this.#beforeOverwriting();
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
@@ -270,7 +270,7 @@ class Stage {
     }
   }
 
-  #repaintAll(): void {
+  #repaintAll() {
     for (const viewport of this.#viewports) {
       viewport.repaint();
     }
@@ -338,12 +338,12 @@ class Stage {
   }
 
   /** Throws if the context turns out to be lost: its renderer must not upload anything any more. */
-  #beforeOverwriting(): void {
+  #beforeOverwriting() {
     this.#showDrawn();
     if (this.#context.unavailable) throw contextLost();
   }
 
-  #showDrawn(): void {
+  #showDrawn() {
     if (this.#places.size > 0) {
       this.#places.clear(); // clearing allocates, even an empty map
     }
@@ -359,7 +359,7 @@ class Stage {
     this.#drawn.clear();
   }
 
-  readonly #endFrame = (): void => {
+  readonly #endFrame = () => {
     this.#inFrame = false;
     this.#showDrawn();
     this.#copies.trim();
@@ -368,7 +368,7 @@ class Stage {
     }
   };
 
-  readonly #closeIfEmpty = (): void => {
+  readonly #closeIfEmpty = () => {
     if (this.#viewports.size === 0) {
       this.#context.close();
       pace.forget();
@@ -380,13 +380,13 @@ class Stage {
  * Unscissored, which the GPU does without drawing. A scene's background leaves three.js's clear
  * colour changed.
  */
-function clear(renderer: WebGLRenderer): void {
+function clear(renderer: WebGLRenderer) {
   renderer.setScissorTest(false);
   renderer.setClearColor(0x000000, 0);
   renderer.clear(true, true, false);
 }
 
-function drawInto(renderer: WebGLRenderer, { x, y, width, height }: Region, render: Draw): void {
+function drawInto(renderer: WebGLRenderer, { x, y, width, height }: Region, render: Draw) {
   const whole = renderer.domElement.width === width && renderer.domElement.height === height;
   renderer.setViewport(x, y, width, height);
   renderer.setScissor(x, y, width, height);
