@@ -189,8 +189,9 @@ function repeatedField(fallback: Vec3, range: Range, expected: string): Field<Ve
   return { ...tuple, check: (value) => tuple.check(typeof value === 'number' ? [value] : value) };
 }
 
-export const booleanField = (fallback: boolean): Field<boolean> =>
-  typeField('boolean', fallback, 'true or false');
+/** True by default. */
+export const booleanField = (): Field<boolean> =>
+  typeField<boolean>('boolean', true, 'true or false');
 
 /** True if present, like HTML's own boolean attributes, except for the text `false`. */
 export const presenceField = (): Field<boolean> =>
@@ -290,16 +291,16 @@ export function flagOrWordsField(
 /** A value that may be absent: null if nothing is given. */
 export const optional = <T>(field: Field<T>): Field<T | null> => ({ ...field, fallback: null });
 
-/** Another field's value, or a word in its place: `auto`. The word is the default. */
-export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T | W> {
-  const expected = `${word} or ${field.expected}`;
+/** Another field's value, or `auto` in its place, which is the default. */
+export function orAuto<T>(field: Field<T>): Field<T | 'auto'> {
+  const expected = `auto or ${field.expected}`;
   return {
     ...field,
-    word,
-    fallback: word,
+    word: 'auto',
+    fallback: 'auto',
     expected,
     check(value) {
-      if (value === word) return word;
+      if (value === 'auto') return value;
       try {
         return field.check(value);
       } catch (error) {

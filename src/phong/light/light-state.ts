@@ -117,7 +117,7 @@ const hasDecay: Test = ({ cutoff }) => cutoff >= LEAST_EXPONENT;
  */
 export const LIGHT_FIELDS = {
   name: { ...textField(), shading: 'none' },
-  active: { ...booleanField(true), shading: 'select' },
+  active: { ...booleanField(), shading: 'select' },
   ambient: {
     ...colorField([0, 0, 0], colors),
     // The other kinds' is summed in the header.

@@ -14,7 +14,7 @@ import {
   choiceField,
   numberField,
   optional,
-  orWord,
+  orAuto,
   presenceField,
   scaleField,
   textField,
@@ -103,7 +103,7 @@ export const SHAPE_FIELDS: Fields<ShapeValues> = {
   src: sourceField,
   type: optional(choiceField(MODEL_TYPES)),
   geometry: optional(choiceField(GEOMETRIES)),
-  segments: orWord('auto', numberField(64, { min: 1, max: 512, integer: true })),
+  segments: orAuto(numberField(64, { min: 1, max: 512, integer: true })),
   autoplay: presenceField(),
   animationName: textField('', 'the name of an animation'),
 };

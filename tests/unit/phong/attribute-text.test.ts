@@ -160,8 +160,8 @@ describe('formatting', () => {
 
   it.each([
     [[0.1, -1e-7, 1e21], '0.1 -1e-7 1e+21', vector],
-    [true, 'true', booleanField(true)],
-    [false, 'false', booleanField(true)],
+    [true, 'true', booleanField()],
+    [false, 'false', booleanField()],
     [true, '', presenceField()],
     [false, null, presenceField()],
     [true, '', VIEWER_FIELDS.gui],

@@ -9,7 +9,7 @@ import {
   colorField,
   numberField,
   optional,
-  orWord,
+  orAuto,
   textField,
 } from '../../../src/phong/fields/field.js';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
@@ -27,10 +27,10 @@ const lamp = () =>
   new FieldStore<Lamp>({
     power: numberField(60, { min: 0, max: 100 }),
     tint: colorField([255, 255, 255], { min: 0, max: 1e6 }),
-    on: booleanField(true),
+    on: booleanField(),
     label: textField(),
     segments: optional(numberField(1, { min: 1, max: 512, integer: true })),
-    radius: orWord('auto', numberField(4, { above: 0, max: 10 })),
+    radius: orAuto(numberField(4, { above: 0, max: 10 })),
   });
 
 const defaults: Lamp = {

@@ -14,7 +14,7 @@ import {
   numberField,
   numbersField,
   optional,
-  orWord,
+  orAuto,
   presenceField,
   scaleField,
   subsetField,
@@ -36,7 +36,7 @@ const makers = {
   scale: () => scaleField([1, 1, 1], { min: -2, max: 2 }),
   color: () => colorField([0, 0, 0], { min: 0, max: 1e6 }),
   ascending: () => numbersField('places from 0 to 1', 0, 1),
-  boolean: () => booleanField(true),
+  boolean: () => booleanField(),
   presence: () => presenceField(),
   text: () => textField(),
   choice: () => choiceField(['red', 'green', '']),
@@ -47,7 +47,7 @@ const makers = {
       ['c', 'd'],
     ]),
   'optional number': () => optional(numberField(5, { min: 0, max: 10 })),
-  'number or word': () => orWord('auto', numberField(5, { min: 0, max: 10 })),
+  'number or word': () => orAuto(numberField(5, { min: 0, max: 10 })),
 } satisfies Record<string, () => Field<unknown>>;
 
 type Kind = keyof typeof makers;

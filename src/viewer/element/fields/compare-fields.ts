@@ -4,7 +4,7 @@ import {
   type Field,
   numbersField,
   optional,
-  orWord,
+  orAuto,
   textField,
 } from '../../../phong/fields/field.js';
 import type { Fields } from '../../../phong/fields/field-store.js';
@@ -43,7 +43,7 @@ type Accepted = Inputs<CompareValues>;
 export const COMPARE_FIELDS: Fields<CompareValues> = {
   layout: choiceField(['split', 'side']),
   direction: choiceField(['horizontal', 'vertical']),
-  at: orWord('auto', numbersField('numbers from 0 to 100 in ascending order', 0, 100)),
+  at: orAuto(numbersField('numbers from 0 to 100 in ascending order', 0, 100)),
   labels: optional(labelsField()),
 };
 
