@@ -1,6 +1,7 @@
 // Moves a light by one of its handles, as one step that undo takes back. New values follow from
 // those at the start and the whole travel since then, so that going back restores. Travel in CSS
 // pixels of the layer, right and down.
+import { Vector3 } from 'three';
 import { LIMITS, type LightValues } from '../../../phong/light/light-state.js';
 import {
   add,
@@ -217,15 +218,13 @@ export function moved(anchor: Anchor, view: Projection, travel: Travel): Change 
 
 const isUsable = (v: Vec3): boolean => v.every((x) => Math.abs(x) <= LIMITS.coordinate);
 
-/** To a ten-thousandth of the scene's size: markup stays short, and no step can be seen. */
+/**
+ * To a ten-thousandth of the scene's size, or a whole number: markup stays short, and no step can
+ * be seen.
+ */
 function rounded(value: number, radius: number): number {
-  const step = 10 ** (Math.floor(Math.log10(radius)) - 4);
-  // By division where the step is below 1: it has no exact binary form, its inverse has.
-  return (
-    (step < 1
-      ? Math.round(value * Math.round(1 / step)) / Math.round(1 / step)
-      : Math.round(value / step) * step) + 0
-  );
+  const decimals = clamp(4 - Math.floor(Math.log10(radius)), 0, 100);
+  return Number(value.toFixed(decimals)) + 0;
 }
 
 /** Pixels along the view that change the distance by a factor of e. */
@@ -320,12 +319,9 @@ function onBall(
   return normalize(add(scale(inward, -Math.cos(angle)), scale(outward, Math.sin(angle))));
 }
 
-/** Rodrigues' rotation of `v` about a unit axis, in radians. */
-function rotated(v: Vec3, axis: Vec3, angle: number): Vec3 {
-  const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-  const turned = add(scale(v, cos), scale(cross(axis, v), sin));
-  return normalize(add(turned, scale(axis, dot(axis, v) * (1 - cos))));
-}
+/** Unit vector; `axis` is one too, `angle` in radians. */
+const rotated = (v: Vec3, axis: Vec3, angle: number): Vec3 =>
+  normalize(new Vector3(...v).applyAxisAngle(new Vector3(...axis), angle).toArray());
 
 /** Pixels of keys' travel that are a degree of aperture. */
 const PIXELS_PER_DEGREE = 8;

@@ -1,7 +1,7 @@
 // The helpers of the scene itself: axes, the grid on the ground, the boxes and the normals of
 // meshes. World space to CSS pixels of the layer. Computed again only where the view, the ball, a
 // mesh, or what hides something has changed.
-import { Matrix3, type Mesh, type Object3D } from 'three';
+import { Matrix3, type Mesh, type Object3D, Vector3 } from 'three';
 import type { ExtraHost } from '../../../viewer/extra.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { normalMatrix } from '../../../phong/material/normal-matrix.js';
@@ -9,7 +9,6 @@ import { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { niceCeil } from '../../../phong/math/round-number.js';
 import {
   add,
-  cross,
   dot,
   length,
   normalize,
@@ -186,10 +185,13 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
  */
 function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): DrawnItem[] {
   const step = niceCeil(radius / 4);
-  const lowX = Math.floor((center[0] - GRID * radius) / step);
-  const highX = Math.ceil((center[0] + GRID * radius) / step);
-  const lowZ = Math.floor((center[2] - GRID * radius) / step);
-  const highZ = Math.ceil((center[2] + GRID * radius) / step);
+  const endsAround = (middle: number) =>
+    [
+      Math.floor((middle - GRID * radius) / step),
+      Math.ceil((middle + GRID * radius) / step),
+    ] as const;
+  const [lowX, highX] = endsAround(center[0]);
+  const [lowZ, highZ] = endsAround(center[2]);
   // Far from the origin the lines' coordinates round to each other.
   if (!(highX - lowX < MOST_LINES && highZ - lowZ < MOST_LINES)) return [];
   const lines: (readonly Point[])[] = [];
@@ -265,30 +267,15 @@ function boxEdges(
   }
   const box = geometry.boundingBox;
   if (box === null || box.isEmpty()) return;
-  const [low, high] = [box.min.toArray(), box.max.toArray()];
-  const e = matrixWorld.elements;
-  const corner = (bits: number): Vec3 => {
-    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [
-      number,
-      number,
-      number,
-    ];
-    return transformed(e, x, y, z);
-  };
-  /**
-   * A face is in front if the eye is on its outer side: farther along its axis than the opposite
-   * one.
-   */
+  const ends = [box.min.toArray(), box.max.toArray()] as const;
+  const endOf = (bits: number, axis: 0 | 1 | 2): number => ends[(bits >> axis) & 1]![axis];
+  const corner = (bits: number): Vec3 =>
+    transformed(matrixWorld.elements, endOf(bits, 0), endOf(bits, 1), endOf(bits, 2));
+  const eye = new Vector3(...view.eye).applyMatrix4(matrixWorld.clone().invert());
+  /** The eye is on the outer side of the face, in the box's own space. */
   const isFront = (axis: number, bit: number): boolean => {
-    const [u, v] = [1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3)];
-    const base = bit << axis;
-    const outward = subtract(corner(base), corner(base ^ (1 << axis)));
-    const normal = cross(
-      subtract(corner(base | u), corner(base)),
-      subtract(corner(base | v), corner(base)),
-    );
-    const side = dot(normal, outward) < 0 ? -1 : 1;
-    return side * dot(normal, subtract(view.eye, corner(base))) > 0;
+    const beyond = eye.getComponent(axis) - ends[bit]![axis]!;
+    return bit === 0 ? beyond < 0 : beyond > 0;
   };
   for (const axis of [0, 1, 2]) {
     for (const bits of [0, 1, 2, 3]) {
@@ -367,17 +354,11 @@ function normalsOf(
   normalMatrix(matrixWorld, turn);
   const position = geometry.getAttribute('position');
   const normal = geometry.getAttribute('normal');
-  const e = matrixWorld.elements;
-  const m = turn.elements;
-  const placeOf = (vertex: number) =>
-    transformed(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
+  const placeOf = (vertex: number): Vec3 =>
+    new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(matrixWorld).toArray();
   return (vertex) => {
-    const [x, y, z] = [normal.getX(vertex), normal.getY(vertex), normal.getZ(vertex)];
-    const N = normalize([
-      m[0] * x + m[3] * y + m[6] * z,
-      m[1] * x + m[4] * y + m[7] * z,
-      m[2] * x + m[5] * y + m[8] * z,
-    ]);
+    const turned = new Vector3().fromBufferAttribute(normal, vertex).applyMatrix3(turn);
+    const N = normalize(turned.toArray());
     const first = vertex - (vertex % 3);
     const p = isFlat
       ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3)
