@@ -1,5 +1,6 @@
 // Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or
 // `data:` address, which a strict CSP refuses. The same looks as svg-layer.ts.
+import type { ExtraHost } from '../../../viewer/extra.js';
 import {
   coreOf,
   DASHES,
@@ -10,24 +11,31 @@ import {
   labelFont,
   type Stroke,
 } from './display-list.js';
+import { Projection } from './projection.js';
 
 /**
- * A layer of this height in a picture file. `width` and `height` are the picture's in the layer's
- * pixels, `scale` how many of the picture's pixels are one of them.
+ * The layer of a picture file, as large in it, in proportion, as on the page: the view onto it, all
+ * of it, and what draws a list there with labels of this size.
  */
-export function fileSize(
-  picture: HTMLCanvasElement,
-  layerHeight: number,
-): { readonly width: number; readonly height: number; readonly scale: number } {
-  const scale = layerHeight > 0 ? picture.height / layerHeight : 1;
-  return { width: picture.width / scale, height: picture.height / scale, scale };
+export function fileLayer(host: ExtraHost, picture: HTMLCanvasElement) {
+  const { height: pageHeight } = host.size();
+  /** How many of the picture's pixels are one of the layer's. */
+  const scale = pageHeight > 0 ? picture.height / pageHeight : 1;
+  const [width, height] = [picture.width / scale, picture.height / scale];
+  const { orbit, fit } = host.viewport.picture;
+  return {
+    view: new Projection({ pose: orbit.pose, fov: fit.fov, width, height }),
+    room: { left: 0, top: 0, right: width, bottom: height },
+    draw: (list: readonly DrawnItem[], fontSize: number): void => {
+      const context = picture.getContext('2d');
+      if (context !== null) {
+        drawList(context, list, scale, fontSize);
+      }
+    },
+  };
 }
 
-/**
- * `scale`: how many of the canvas's pixels are one of the list's; `fontSize`: of labels, in pixels
- * of the list.
- */
-export function drawList(
+function drawList(
   context: CanvasRenderingContext2D,
   list: readonly DrawnItem[],
   scale: number,

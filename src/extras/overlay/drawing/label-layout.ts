@@ -138,20 +138,6 @@ export const boxAround = ({ x, y }: Point, half: number): Rect => ({
   bottom: y + half,
 });
 
-/** All of a layer or a picture. */
-export const whole = ({
-  width,
-  height,
-}: {
-  readonly width: number;
-  readonly height: number;
-}): Rect => ({
-  left: 0,
-  top: 0,
-  right: width,
-  bottom: height,
-});
-
 /** Squares along a line, so close that no label fits between them. */
 export function boxesAlong(points: readonly Point[], half: number): Rect[] {
   return points.flatMap((to, i) => {

@@ -47,13 +47,15 @@ export interface Ray {
   readonly direction: Vec3;
 }
 
-/** Onto a layer of this size, of what `viewport` shows now. A file has an aspect of its own. */
-export const projectionOf = (
+/** Onto a layer of this size, of what `viewport` shows now. */
+export function projectionOf(
   { picture: { orbit, fit }, width, height }: ExtraHost['viewport'],
   size: Pick<Sight, 'width' | 'height'>,
+): Projection {
+  const sight = { pose: orbit.pose, fov: fit.fov, ...size };
   // None before the first layout.
-  aspect = width > 0 && height > 0 ? width / height : size.width / size.height,
-): Projection => new Projection({ pose: orbit.pose, fov: fit.fov, ...size, aspect });
+  return new Projection(width > 0 && height > 0 ? { ...sight, aspect: width / height } : sight);
+}
 
 /**
  * Nearer to the eye than this share of the orbit's radius, places on the layer would overflow: they
@@ -122,10 +124,7 @@ export class Projection {
   /** Null outside the layer too. */
   pointInside(place: Vec3): Point | null {
     const point = this.point(place);
-    const within = (at: number, size: number) => at >= 0 && at < size;
-    return point !== null && within(point.x, this.width) && within(point.y, this.height)
-      ? point
-      : null;
+    return point !== null && isInside(point, this, 0) ? point : null;
   }
 
   /** The world place on the layer's point at this depth in front of the eye. */

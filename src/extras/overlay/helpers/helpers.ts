@@ -7,8 +7,8 @@ import {
   type ExtraHost,
   type PictureOptions,
 } from '../../../viewer/extra.js';
-import { drawList, fileSize } from '../drawing/canvas-drawing.js';
-import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
+import { fileLayer } from '../drawing/canvas-drawing.js';
+import { listOf, NO_DRAWING } from '../drawing/label-layout.js';
 import { type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
@@ -79,17 +79,15 @@ class Helpers implements Extra {
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
   drawOver(canvas: HTMLCanvasElement, options: PictureOptions): void {
-    const context = canvas.getContext('2d');
-    if (options.helpers !== true || context === null) return;
-    const { scale, ...size } = fileSize(canvas, this.#host.size().height);
-    const view = projectionOf(this.#host.viewport, size, size.width / size.height);
+    if (options.helpers !== true) return;
+    const { view, room, draw } = fileLayer(this.#host, canvas);
     const scene = ballOf(this.#host);
     const { helpers } = this.#host.values;
     const objects = this.#objects.drawingAt(view, scene, helpers);
     const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
     const { fontSize } = this.#room;
-    const { list, placed } = listOf([objects, lights], whole(view), fontSize);
-    drawList(context, list, scale, fontSize);
+    const { list, placed } = listOf([objects, lights], room, fontSize);
+    draw(list, fontSize);
     // For the probe, which draws next.
     const { names } = this.#host;
     const shown = names.placed;

@@ -8,9 +8,8 @@ import {
   type ViewerTexts,
 } from '../../../viewer/extra.js';
 import { html, render } from 'lit';
-import { drawList, fileSize } from '../drawing/canvas-drawing.js';
+import { fileLayer } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
-import { whole } from '../drawing/label-layout.js';
 import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
@@ -99,16 +98,12 @@ export class ProbeView {
 
   /** Draws the arrows of a fragment into the file of a picture that was captured in this task. */
   drawerOf(picture: HTMLCanvasElement): (fragment: FragmentExplanation) => void {
-    const { scale, ...size } = fileSize(picture, this.#host.size().height);
-    const projection = projectionOf(this.#host.viewport, size, size.width / size.height);
-    const names = this.#host.names.placed;
+    const { view, room, draw } = fileLayer(this.#host, picture);
+    const space = { room, boxes: this.#host.names.placed };
     return (fragment) => {
-      const at = projection.point(fragment.p);
-      const context = picture.getContext('2d');
-      if (at === null || context === null) return;
-      const space = { room: whole(size), boxes: names };
-      const list = this.#drawingOf(this.#contentOf(fragment), at, projection, space);
-      drawList(context, list, scale, this.#room.fontSize);
+      const at = view.point(fragment.p);
+      if (at === null) return;
+      draw(this.#drawingOf(this.#contentOf(fragment), at, view, space), this.#room.fontSize);
     };
   }
 

@@ -176,14 +176,10 @@ export const KEYS =
 export const NO_SURFACE = 'No surface there.';
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
-  const [ambient = '', diffuse = '', specular = ''] = TERMS.map((term) =>
-    tripleText(row[term], 0, texts),
-  );
+  const terms = TERMS.map((term) => [term, tripleText(row[term], 0, texts)] as const);
   const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', {
     name: row.name,
-    ambient,
-    diffuse,
-    specular,
+    ...Object.fromEntries(terms),
   });
   const absence = shownAbsence(row);
   return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
