@@ -75,35 +75,37 @@ export const labelFont = (size: string): string => `600 ${size} system-ui, sans-
 /** Length and half the width of an arrow's head, CSS pixels. */
 const HEAD = { length: 9, half: 4 };
 
+/** As one item; none where there are no lines. */
+export const strokes = (
+  lines: Stroke['lines'],
+  style: Omit<Stroke, 'kind' | 'lines'>,
+): readonly Stroke[] => (lines.length > 0 ? [{ kind: 'stroke', lines, ...style }] : []);
+
 /**
- * The head of an arrow, `size` pixels long; null where its line is too short to have a direction.
+ * The outline of an arrow's head, `size` pixels long; none where its line is too short to have a
+ * direction.
  */
-export function arrowHead(
-  from: Point,
-  tip: Point,
-  size: number = HEAD.length,
-): readonly Point[] | null {
+export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): Stroke['lines'] {
   const length = Math.hypot(tip.x - from.x, tip.y - from.y);
-  if (!(length > 1)) return null;
+  if (!(length > 1)) return [];
   const [ux, uy] = [(tip.x - from.x) / length, (tip.y - from.y) / length];
   const reach = Math.min(size, length);
   const half = (HEAD.half * reach) / HEAD.length;
   const base = { x: tip.x - reach * ux, y: tip.y - reach * uy };
   return [
-    tip,
-    { x: base.x - half * uy, y: base.y + half * ux },
-    { x: base.x + half * uy, y: base.y - half * ux },
+    [
+      tip,
+      { x: base.x - half * uy, y: base.y + half * ux },
+      { x: base.x + half * uy, y: base.y - half * ux },
+    ],
   ];
 }
 
 /** A line with a head at its end. */
-export function arrow(from: Point, tip: Point, style: Shape): DrawnItem[] {
-  const head = arrowHead(from, tip);
-  const line: Stroke = { kind: 'stroke', lines: [[from, tip]], ...style };
-  return head === null
-    ? [line]
-    : [line, { ...style, kind: 'stroke', lines: [head], filled: true, dashed: false }];
-}
+export const arrow = (from: Point, tip: Point, style: Shape): readonly Stroke[] => [
+  ...strokes([[from, tip]], style),
+  ...strokes(arrowHead(from, tip), { ...style, filled: true, dashed: false }),
+];
 
 /**
  * Relative luminance of a core. Backgrounds from 0.1 on have 3:1 with the black outline, darker

@@ -15,7 +15,7 @@ import {
   subtract,
   type Vec3,
 } from '../../../phong/math/vector.js';
-import { arrow, arrowHead, coreColor, cssRgb } from '../drawing/display-list.js';
+import { arrow, arrowHead, coreColor, cssRgb, strokes } from '../drawing/display-list.js';
 import type { Disc, DrawnItem, Stroke } from '../drawing/display-list.js';
 import { isInside, type Point, type Projection } from '../drawing/projection.js';
 
@@ -131,11 +131,8 @@ export function lightMarks(
   };
   const list: DrawnItem[] = [];
   const handles: Handle[] = [];
-  const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): void => {
-    if (lines.length > 0) {
-      list.push({ ...style, kind: 'stroke', lines, width, dashed });
-    }
-  };
+  const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): unknown =>
+    list.push(...strokes(lines, { ...style, width, dashed }));
   const arrowTo = (tip: Vec3): void => {
     const ends = view.segment(place, tip);
     if (ends !== null) {
@@ -293,9 +290,8 @@ const circle = (at: (around: number) => Vec3): Vec3[] =>
 
 function handleAt(part: HandlePart, place: Vec3, view: Projection): Handle {
   const point = view.point(place);
-  return point !== null && isInside(point, view, EDGE)
-    ? { part, at: point, place, outside: false }
-    : { part, at: onEdge(place, view), place, outside: true };
+  const outside = point === null || !isInside(point, view, EDGE);
+  return { part, at: outside ? onEdge(place, view) : point, place, outside };
 }
 
 /**
@@ -315,11 +311,13 @@ function onEdge(place: Vec3, view: Projection): Point {
 }
 
 /** A small arrow head outside the disc, away from the picture's middle. */
-function pointerTo(at: Point, { width, height }: Projection, style: ShapeStyle): DrawnItem[] {
+function pointerTo(
+  at: Point,
+  { width, height }: Projection,
+  style: ShapeStyle,
+): readonly DrawnItem[] {
   const [dx, dy] = [at.x - width / 2, at.y - height / 2];
   const share = POINTER / Math.hypot(dx, dy);
   const head = arrowHead(at, { x: at.x + share * dx, y: at.y + share * dy });
-  return head === null
-    ? []
-    : [{ ...style, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
+  return strokes(head, { ...style, filled: true, width: 1, dashed: false });
 }

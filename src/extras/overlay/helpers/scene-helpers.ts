@@ -17,7 +17,7 @@ import {
   transformed,
   type Vec3,
 } from '../../../phong/math/vector.js';
-import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
+import { arrowHead, type DrawnItem, type Stroke, strokes } from '../drawing/display-list.js';
 import type { Drawing, Name } from '../drawing/label-layout.js';
 import { isInside, type Point, type Projection } from '../drawing/projection.js';
 import type { SceneBall } from './light-marks.js';
@@ -152,10 +152,7 @@ function axesMarks(
     list.push(...strokes(behind, { ...style, dashed: true }), ...strokes(shown, style));
     const ends = view.segment([0, 0, 0], tip);
     if (ends === null) continue;
-    const head = arrowHead(...ends);
-    if (head !== null) {
-      list.push(...strokes([head], { ...style, filled: true }));
-    }
+    list.push(...strokes(arrowHead(...ends), { ...style, filled: true }));
     const last = lastInside(tip, view);
     if (last !== null) {
       names.push({ text: name, center: last, gap: NAME_GAP });
@@ -163,9 +160,6 @@ function axesMarks(
   }
   return list;
 }
-
-const strokes = (lines: Stroke['lines'], style: Omit<Stroke, 'kind' | 'lines'>): Stroke[] =>
-  lines.length > 0 ? [{ kind: 'stroke', lines, ...style }] : [];
 
 /** Between an axis and its name, CSS pixels. */
 const NAME_GAP = 10;
@@ -183,7 +177,11 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
  * Lines of the plane y = 0 at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes
  * are left out.
  */
-function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): DrawnItem[] {
+function gridMarks(
+  view: Projection,
+  { center, radius }: SceneBall,
+  hiding: Hiding,
+): readonly DrawnItem[] {
   const step = niceCeil(radius / 4);
   const endsAround = (middle: number) =>
     [
@@ -335,10 +333,7 @@ function normalMarks(
       const ends = view.segment(p, add(p, scale(N, (faces ? 1 : -1) * NORMAL * radius)));
       if (ends === null) continue;
       lines.push(ends);
-      const head = arrowHead(...ends, 5);
-      if (head !== null) {
-        heads.push(head);
-      }
+      heads.push(...arrowHead(...ends, 5));
     }
   }
   const style = { color: COLORS.normals, width: 1, outline: 1 };

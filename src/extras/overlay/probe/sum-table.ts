@@ -12,6 +12,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { type Term, TERMS } from '../../../phong/light/light-state.js';
 import { isBlack } from '../../../phong/math/color.js';
 import { add } from '../../../phong/math/vector.js';
+import { ARROWS } from '../drawing/projection.js';
 import {
   byShare,
   FILTERED,
@@ -196,16 +197,14 @@ export class SumTable {
   };
 
   readonly #moveFocus = (event: KeyboardEvent): void => {
-    const step = { ArrowDown: 'nextElementSibling', ArrowUp: 'previousElementSibling' } as const;
-    const row = (event.target as Element).closest('tbody > tr');
-    if (!(event.key in step) || row === null) return;
+    const [, down = 0] = ARROWS[event.key] ?? [];
+    const table = event.currentTarget as Element;
+    const shown = 'tbody > tr:not([hidden]) button';
+    const buttons = [...table.querySelectorAll<HTMLElement>(shown)];
+    const at = buttons.indexOf(event.target as HTMLElement);
+    if (down === 0 || at < 0) return;
     event.preventDefault();
-    const sibling = step[event.key as keyof typeof step];
-    let next = row[sibling];
-    while (next !== null && (next as HTMLElement).hidden) {
-      next = next[sibling];
-    }
-    next?.querySelector('button')?.focus();
+    buttons[at + down]?.focus();
   };
 }
 
