@@ -1,7 +1,7 @@
 // A divider that the user moves: by pointer, from where it was pressed, and by keys; Escape takes a
 // drag back. Places are percent of the box from the start of the line or from the top, ascending.
 import { html, type TemplateResult } from 'lit';
-import type { PictureBox } from '../../phong/camera/gesture.js';
+import { alongAxes, type PictureBox } from '../../phong/camera/gesture.js';
 import { followDrag } from '../../phong/camera/followed-drag.js';
 import { clamp } from '../../phong/math/vector.js';
 
@@ -81,13 +81,9 @@ export class Divider {
     const { vertical } = this.#host;
     const { width, height, axes } = this.#host.measure();
     if (axes === undefined) return null;
-    const [rightX, rightY, downX, downY] = axes;
-    const [alongX, alongY] = vertical ? [downX, downY] : [rightX, rightY];
-    const squared = alongX ** 2 + alongY ** 2;
-    const pixels = squared === 0 ? 0 : (x * alongX + y * alongY) / squared;
-    return (
-      ((!vertical && this.#host.isRtl() ? -pixels : pixels) * 100) / (vertical ? height : width)
-    );
+    const [right, down] = alongAxes(axes, x, y);
+    if (vertical) return (down * 100) / height;
+    return ((this.#host.isRtl() ? -right : right) * 100) / width;
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {

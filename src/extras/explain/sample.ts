@@ -35,8 +35,8 @@ export function sampleTexture(
   const column = (i: number): number => wrap(i, texels.width, map.wrapS);
   const row = (j: number): number => wrap(j, texels.height, map.wrapT);
   const at = (i: number, j: number): Vec4 => {
-    const [r, g, b, a] = texel(texels, column(i), row(j));
-    return decoded ? [srgbDecode(r), srgbDecode(g), srgbDecode(b), a] : [r, g, b, a];
+    const own = texel(texels, column(i), row(j));
+    return decoded ? decode(own) : own;
   };
   if (map.magFilter === NearestFilter) return at(Math.floor(x), Math.floor(y));
   const [i, j] = [Math.floor(x - 0.5), Math.floor(y - 0.5)];
@@ -44,6 +44,8 @@ export function sampleTexture(
   const line = (k: number): Vec4 => mix(at(i, k), at(i + 1, k), right);
   return mix(line(j), line(j + 1), below);
 }
+
+const decode = ([r, g, b, a]: Vec4): Vec4 => [srgbDecode(r), srgbDecode(g), srgbDecode(b), a];
 
 const mix = (a: Vec4, b: Vec4, t: number): Vec4 => [
   a[0] + (b[0] - a[0]) * t,
@@ -65,17 +67,20 @@ function wrap(i: number, size: number, wrapping: Wrapping): number {
   return mirrored ? size - 1 - turn : turn;
 }
 
-/** A texture at the hit, through its own coordinates and transform. */
-export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
-  return sampleTexture(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
-}
-
-/** As {@link sampleAt}, in linear light. */
-export function decodedAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
+/**
+ * A texture at the hit, through its own coordinates and transform. @param linear whether it is
+ * wanted in linear light.
+ */
+export function sampleAt(
+  texture: Texture,
+  geometry: BufferGeometry,
+  hit: TrianglePoint,
+  linear: boolean,
+): Vec4 {
   const place = coordinatesAt(texture, geometry, hit);
-  const isDecoded = isDecodable(texture);
-  const [r, g, b, a] = sampleTexture(texelsOf(texture), texture, ...place, isDecoded);
-  return isDecoded ? [r, g, b, a] : [srgbDecode(r), srgbDecode(g), srgbDecode(b), a];
+  const isDecoded = linear && isDecodable(texture);
+  const value = sampleTexture(texelsOf(texture), texture, ...place, isDecoded);
+  return linear && !isDecoded ? decode(value) : value;
 }
 
 /** u, v after the texture's transform. */

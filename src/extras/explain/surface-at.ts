@@ -23,7 +23,7 @@ import {
 } from '../../phong/math/vector.js';
 import type { OwnDrawn } from '../../phong/geometry/scene-snapshot.js';
 import type { TriangleHit, TrianglePoint } from './ray-triangles.js';
-import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
+import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
 
 /** A surface as the reference equation takes it. */
 export interface SurfaceHere extends Readonly<SurfaceValues> {
@@ -107,9 +107,9 @@ function texelAt(
   texture: Texture,
   geometry: BufferGeometry,
   hit: TrianglePoint,
-  decoded = false,
+  linear = false,
 ): Vec3 {
-  const [r, g, b] = (decoded ? decodedAt : sampleAt)(texture, geometry, hit);
+  const [r, g, b] = sampleAt(texture, geometry, hit, linear);
   return [r, g, b];
 }
 
@@ -134,7 +134,7 @@ export function baseColorAt(
   const own = linear ? map(look.baseColor, srgbDecode) : look.baseColor;
   const factors: Vec4[] = [[...own, look.opacity]];
   if (look.map !== null) {
-    factors.push((linear ? decodedAt : sampleAt)(look.map, geometry, hit));
+    factors.push(sampleAt(look.map, geometry, hit, linear));
   }
   if (look.vertexColors !== false) {
     factors.push(vertexColorAt(look.vertexColors === 'linear', geometry, hit, linear));
