@@ -4,7 +4,6 @@ import { GUI } from 'lil-gui';
 import {
   addStyles,
   ExtraElement,
-  fieldsOf,
   historyOf,
   type PhongViewer,
   phrase,
@@ -12,7 +11,6 @@ import {
 } from '../../viewer/extra.js';
 import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
 import { clip } from '../../phong/fields/clip.js';
-import type { Field } from '../../phong/fields/field.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { didYouMean } from '../../phong/fields/nearest.js';
 import { bound, type Bound } from './bound.js';
@@ -20,7 +18,7 @@ import { rowOf, stepper } from './control-rows.js';
 import styles from './control.css?inline';
 import { LIGHT_ROWS } from './light-rows.js';
 import { MESH_ROWS } from './mesh-rows.js';
-import { declared, type Editable, type Rows, type Source } from './rows.js';
+import { declared, type Editable, type Rows, type Source, storeOf } from './rows.js';
 import { SceneRange, type SliderScale } from './travel.js';
 import { listenForUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
@@ -136,9 +134,7 @@ class Control extends ExtraElement<ControlValues> {
     const viewer = viewerOf(element)!;
     this.#viewerTexts = { texts: viewer.texts };
     this.#texts = this.textsOf(this.#viewerTexts);
-    const field = (
-      fieldsOf(element as PhongViewer).store.fields as Readonly<Record<string, Field<unknown>>>
-    )[key]!;
+    const field = storeOf(element).fields[key]!;
     const own = ROWS[element.localName]![key] ?? null;
     const row = values !== '' ? stepper(key, field, values, own) : rowOf(key, field, own);
     const range = new SceneRange(viewer);
@@ -214,8 +210,7 @@ function viewerOf(element: Element): PhongViewer | null {
   return around === null && host !== undefined ? viewerOf(host) : (around as PhongViewer | null);
 }
 
-const keysOf = (element: Editable): readonly string[] =>
-  Object.keys(fieldsOf(element as PhongViewer).store.fields);
+const keysOf = (element: Editable): readonly string[] => Object.keys(storeOf(element).fields);
 
 const attributesOf = (element: Editable): readonly string[] => keysOf(element).map(attributeOf);
 

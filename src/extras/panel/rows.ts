@@ -50,7 +50,7 @@ export interface Source {
   readonly set: (value: unknown) => void;
 }
 
-const storeOf = (element: Editable) =>
+export const storeOf = (element: Editable) =>
   fieldsOf(element as PhongViewer).store as unknown as FieldStore<Record<string, unknown>>;
 
 /** The declared value of an element. It is written through the property, which checks it. */

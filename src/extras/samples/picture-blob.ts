@@ -20,20 +20,11 @@ export async function pictureBlob(
   if (type.toLowerCase() === 'image/jpeg') {
     fillBehind(picture, 'white');
   }
-  const blob = await new Promise<Blob>((resolve, reject) =>
-    picture.toBlob(
-      (blob) => {
-        if (blob !== null) {
-          resolve(blob);
-        } else {
-          const size = `${String(picture.width)} × ${String(picture.height)}`;
-          reject(new RangeError(`toBlob: ${size} pixels are too many to encode`));
-        }
-      },
-      type,
-      quality,
-    ),
-  );
+  const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, type, quality));
+  if (blob === null) {
+    const size = `${String(picture.width)} × ${String(picture.height)}`;
+    throw new RangeError(`toBlob: ${size} pixels are too many to encode`);
+  }
   if (markup === '' || blob.type !== 'image/png') return blob;
   const { withMarkup } = await import('../png/chunks.js');
   return new Blob([withMarkup(new Uint8Array(await blob.arrayBuffer()), markup)], {
