@@ -76,7 +76,7 @@ export async function check(
   return inTasks(verdictOf(points, parts, colors, picture), signal);
 }
 
-const litBy = (term: Term, points: readonly SheetPoint[]): Case[] =>
+const litBy = (term: Term, points: readonly SheetPoint[]) =>
   points.map(({ given }) => [{ ...given, light: only([term], given.light) }]);
 
 /** `parts`: the sheet, the same lit by each term alone, and the picture. */
@@ -146,5 +146,5 @@ function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verd
 }
 
 /** Of what a screen shows; not a number is as far as can be. */
-const distance = (a: number, b: number): number =>
+const distance = (a: number, b: number) =>
   Number.isNaN(b) ? 1 : Math.abs(shownValue(a) - shownValue(b));

@@ -61,7 +61,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   readonly #follower = {
-    hostUpdated: (): void => {
+    hostUpdated: () => {
       // One of several on a page; the author's label comes first.
       this.internals.ariaLabel = this.#viewer?.alt ?? null;
       // Not at each update: a page may move a viewer in each frame.
@@ -102,7 +102,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return lines.map((line) => line.slice(Math.min(...depths))).join('\n');
   }
 
-  get #viewer(): PhongViewer | null {
+  get #viewer() {
     return this.viewerById(this.values.for);
   }
 
@@ -264,7 +264,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       ${this.#pictures()} ${this.#solution()}`;
   }
 
-  readonly #undo = (): void => {
+  readonly #undo = () => {
     this.value = this.#former!;
     // The button is gone.
     this.element.focus();
@@ -313,7 +313,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     if (!images) return nothing;
     const { hint } = this.values;
     const { width, height } = images.own;
-    const canvas = (id: string, label: string): TemplateResult =>
+    const canvas = (id: string, label: string) =>
       html`<canvas
         id=${id}
         width=${width}
@@ -373,7 +373,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
 const own = ExtraElement.codeOf('phong-exercise', EXERCISE_FIELDS, Exercise);
 
 /** The exercise has come to the page, or is disabled. */
-export const follow = (element: HTMLElement): void => own(element).start();
+export const follow = (element: HTMLElement) => own(element).start();
 
 /** The page has come back, with what was written; empty: with nothing, or the form is reset. */
 export const restore = (element: HTMLElement, written: string): void => {
@@ -389,7 +389,7 @@ export const restore = (element: HTMLElement, written: string): void => {
 const MOST_LINES = 500;
 
 /** 41208 as 41 208: the same in every language. */
-const grouped = (value: number): string =>
+const grouped = (value: number) =>
   value >= 10_000 ? String(value).replace(/\B(?=(\d{3})+$)/g, '\u202f') : String(value);
 
 const NO_VERDICT = { right: false, mistakes: [], share: 0 } as const;

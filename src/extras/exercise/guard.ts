@@ -53,7 +53,7 @@ export const refused = (
   text: ViewerText,
   line: number | null = null,
   values: Fault['values'] = {},
-): Refused => new Refused([{ text, values, line }]);
+) => new Refused([{ text, values, line }]);
 
 /** What a driver may be given, each line in its place. Throws {@link Refused}. */
 export function guarded(source: string): string {
@@ -94,7 +94,7 @@ const OURS = /\bexercise\w*|(?<=\bstruct +)(Light|Material)\b|(?<=\bvoid +)main\
 const TOKEN =
   /[A-Za-z_]\w*|0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|[-+*/%&|^<>=!]=|\+\+|--|<<|>>|&&|\|\||\^\^|\S/g;
 
-const tokensOf = (text: string, line: number): Token[] =>
+const tokensOf = (text: string, line: number) =>
   Array.from(text.match(TOKEN) ?? [], (token) => ({ text: token, line }));
 
 const CHARACTER = 'This character is not allowed here: {character}';
@@ -221,8 +221,7 @@ function match(tokens: readonly Token[]): void {
 }
 
 /** What a bracket adds to the depth. */
-const depthOf = (text: string): number =>
-  Number(/^[([{]$/.test(text)) - Number(/^[)\]}]$/.test(text));
+const depthOf = (text: string) => Number(/^[([{]$/.test(text)) - Number(/^[)\]}]$/.test(text));
 
 /** The index of the bracket that closes the one at `open`. */
 function closing(tokens: readonly Token[], open: number): number {

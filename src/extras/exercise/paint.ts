@@ -11,12 +11,12 @@ export function* imagesOf(picture: PicturePoints, colors: Colors): Work<Images> 
   const { width, height, cases, pixels, emissive, linear } = picture;
   const empty = () => new ImageData(width, height);
   const images = { own: empty(), exact: empty(), difference: empty() };
-  const shown = (sum: number): number => {
+  const shown = (sum: number) => {
     const x = clamp(sum, 0, 1);
     return linear ? srgbEncode(x) : x;
   };
   for (const [i, pixel] of pixels.entries()) {
-    const draw = (name: keyof Images, color: readonly number[]): void =>
+    const draw = (name: keyof Images, color: readonly number[]) =>
       images[name].data.set([...color.map((x) => 255 * x), 255], 4 * pixel);
     const own = map(add(colorAt(colors, i), emissive[i]!), shown);
     const exact = map(add(exactAt(cases[i]!), emissive[i]!), shown);

@@ -97,7 +97,7 @@ function placed(
   linear: boolean,
 ): Lamp {
   const isCamera = light.space === 'camera';
-  const turned = (v: Vec3): Vec3 => (isCamera ? toWorld(axes, v) : v);
+  const turned = (v: Vec3) => (isCamera ? toWorld(axes, v) : v);
   const [x, y, z, w] = light.position;
   const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
   const axis = turned(light.axis);

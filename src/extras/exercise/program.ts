@@ -8,7 +8,6 @@ import {
   FloatType,
   GLSL3,
   Mesh,
-  NearestFilter,
   RawShaderMaterial,
   RGBAFormat,
   RGBAIntegerFormat,
@@ -154,13 +153,13 @@ function triangleOf(glsl: string, data: DataTexture) {
   return { mesh, uniforms };
 }
 
-/** Tile by tile. Throws {@link Refused} with what the compiler has against the program. */
+/** Tile by tile. */
 async function draw(
   context: WebGL2RenderingContext,
   glsl: string,
   cases: readonly Case[],
   signal: AbortSignal,
-): Promise<Float32Array> {
+) {
   const lines = Math.ceil(cases.length / WIDTH);
   const texels = await inTasks(packed(cases, WIDTH * lines), signal);
   const across = 6 * WIDTH;
@@ -169,8 +168,6 @@ async function draw(
   const target = new WebGLRenderTarget(WIDTH, lines, {
     format: RGBAIntegerFormat,
     type: UnsignedIntType,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
     depthBuffer: false,
   });
   target.scissorTest = true;
@@ -178,10 +175,11 @@ async function draw(
   const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
   // With a canvas of its own three.js hears of no loss: it would say so, and restore the context.
   const renderer = new WebGLRenderer({ context });
-  renderer.debug.onShaderError = (gl, program, _, fragment) => {
-    throw messagesIn(gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program) || '', own);
-  };
+  // three.js would write what a driver remarks on a right program to the console.
+  renderer.debug.checkShaderErrors = false;
   const { mesh, uniforms } = triangleOf(own, data);
+  renderer.compile(mesh, camera);
+  requireLinked(context, renderer, own);
   const colors = new Float32Array(3 * cases.length).fill(NaN);
   let at = 0;
   // Pixels of the next tile, and at most: fewer once a tile was too much work.
@@ -210,7 +208,8 @@ async function draw(
     renderer.render(mesh, camera);
     await drawn(context);
     const bits = new Uint32Array(4 * width * height);
-    renderer.readRenderTargetPixels(target, x, y, width, height, bits);
+    // three.js reads only what a driver likes best; these every WebGL 2 gives.
+    context.readPixels(x, y, width, height, context.RGBA_INTEGER, context.UNSIGNED_INT, bits);
     const took = performance.now() - start;
     // What a frame takes without its pixels. Drivers finish a program in its first one.
     least = Math.min(least, took);
@@ -247,13 +246,17 @@ async function drawn(gl: WebGL2RenderingContext): Promise<void> {
   } while (gl.clientWaitSync(fence!, 0, 0) === gl.TIMEOUT_EXPIRED);
 }
 
-/** What the compiler says, by the learner's lines. */
-function messagesIn(log: string, glsl: string): Refused {
+/** Throws {@link Refused} with what the compiler has against the program, by the learner's lines. */
+function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer, glsl: string): void {
+  const [built] = info.programs!;
+  const program = built!.program as WebGLProgram;
+  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== false) return;
+  const log = gl.getShaderInfoLog(built!.fragmentShader) || gl.getProgramInfoLog(program) || '';
   // Some drivers end a log with a null character.
   const lines = log
     .split(/\s*[\n\0]\s*/)
     .filter((line) => line !== '' && !line.startsWith('WARNING'));
-  return new Refused((lines.length > 0 ? lines : [log]).map((line) => faultIn(line, glsl)));
+  throw new Refused((lines.length > 0 ? lines : [log]).map((line) => faultIn(line, glsl)));
 }
 
 function faultIn(message: string, glsl: string): Fault {

@@ -83,4 +83,4 @@ export function sentencesFor(
 }
 
 /** As a screen has them, but not clamped: negative light is seen here. */
-const codes = (color: Vec3): string => map(color, (x) => Math.round(255 * x)).join(' ');
+const codes = (color: Vec3) => map(color, (x) => Math.round(255 * x)).join(' ');

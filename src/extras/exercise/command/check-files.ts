@@ -32,7 +32,7 @@ interface Result {
   readonly pixel: readonly (number | string)[];
 }
 
-const say = (line: string): boolean => process.stdout.write(`${line}\n`);
+const say = (line: string) => process.stdout.write(`${line}\n`);
 
 /** The status of the command. */
 export const run = (args: readonly string[]): Promise<number> =>
@@ -108,8 +108,7 @@ async function launch(executablePath: string | undefined): Promise<Browser> {
 /** Of the page and what lies beside and below: modules do not load from disk. */
 const ORIGIN = 'http://localhost';
 
-const isFile = (path: string): boolean =>
-  statSync(path, { throwIfNoEntry: false })?.isFile() === true;
+const isFile = (path: string) => statSync(path, { throwIfNoEntry: false })?.isFile() === true;
 
 async function openExercise(browser: Browser, file: string, selector: string): Promise<Locator> {
   const root = resolve(file).startsWith(resolve() + sep) ? resolve() : dirname(resolve(file));
