@@ -220,7 +220,7 @@ export const valueOf = ({ value, exponent, clamped }: Factor, channel: number): 
 };
 
 /** Digits and a point; a number of the author in full. */
-const exact = (x: number): string => String(Number(x.toPrecision(6)));
+const exact = (x: number) => String(Number(x.toPrecision(6)));
 
 /** 0 and 1 are exact. Extreme numbers are powers of ten. */
 export function plain(x: number, digits: number): string {
@@ -234,7 +234,7 @@ function textsOf(color: Vec3, digits: number): readonly string[] {
   return new Set(texts).size === 1 ? texts.slice(0, 1) : texts;
 }
 
-const joined = (texts: readonly string[]): string =>
+const joined = (texts: readonly string[]) =>
   texts.length === 1 ? texts[0]! : `(${texts.join(' ')})`;
 
 function factorText({ value, exponent, clamped }: Factor, digits: number): string {
@@ -251,11 +251,11 @@ const shownValue = (factor: Factor, digits: number, channel: number): number => 
 };
 
 /** Typographic minus, and the digits of the language. */
-export const local = (text: string, texts: ViewerTexts | null): string =>
+export const local = (text: string, texts: ViewerTexts | null) =>
   localNumber(text.replace(/-(?=\d)/g, '−'), texts);
 
 /** Two digits that are not zeros, of the least channel that is not black: two to four decimals. */
-const resultDigits = (value: Vec3): number =>
+const resultDigits = (value: Vec3) =>
   decimals(
     2,
     (n) => n === MOST || value.every((x) => x === 0 || Math.abs(x) >= 0.95 * 10 ** (1 - n)),
@@ -358,7 +358,7 @@ function sumLine(
 
 export const CHANNELS = ['red', 'green', 'blue'] as const;
 
-export const isGrey = ({ value: [r, g, b] }: Equation): boolean =>
+export const isGrey = ({ value: [r, g, b] }: Equation) =>
   Math.abs(r - g) < 1e-9 && Math.abs(g - b) < 1e-9;
 
 /** The light, the term, and the channel where channels differ. */

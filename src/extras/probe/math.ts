@@ -6,7 +6,7 @@ const TOKENS = new RegExp(String.raw`[KI][ads](?![a-z])|\p{L}+|${NUMBER}|\S`, 'g
 const IS_NUMBER = /^\p{Nd}/u;
 
 /** In pieces, because a line of MathML does not break: at each operator but those of N · L. */
-export const mathOf = (text: string): TemplateResult =>
+export const mathOf = (text: string) =>
   html`${text
     .split(/ (?=[·+=≈] (?![LHV]))/)
     .map((piece) => html`<math alttext=${piece}>${rowOf(piece.match(TOKENS) ?? [])}</math> `)}`;
@@ -51,7 +51,7 @@ function atomOf(token: string): TemplateResult {
   return /^\p{L}/u.test(token) ? mathml`<mi>${token}</mi>` : mathml`<mo>${token}</mo>`;
 }
 
-export const latexOf = (text: string): string =>
+export const latexOf = (text: string) =>
   text
     .replace(/\b([KI])([ads])\b/g, '$1_$2')
     .replace(/\b(max|min)\b/g, '\\$1')

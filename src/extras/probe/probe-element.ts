@@ -349,7 +349,7 @@ class Probe extends ExtraElement<ProbeValues> {
 }
 
 /** The sum of one term is that term. */
-const numbersOf = ({ numbers, sign, result }: Equation): string =>
+const numbersOf = ({ numbers, sign, result }: Equation) =>
   numbers === result ? `${sign} ${result}` : `= ${numbers} ${sign} ${result}`;
 
 /** What the browser says of an empty field, in its user's language. */
@@ -361,7 +361,7 @@ const valueMissing = (): string => {
 const own = ExtraElement.codeOf('phong-probe', PROBE_FIELDS, Probe);
 
 /** The probe has come to the page, or is disabled. */
-export const follow = (element: HTMLElement): void => own(element).start();
+export const follow = (element: HTMLElement) => own(element).start();
 
 /** What a reset of the form, or the way back to the page, gives it. */
 export const restore = (element: HTMLElement, answers: string): void => {

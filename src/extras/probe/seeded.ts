@@ -1,7 +1,7 @@
 // Another point and other coefficients for each seed. They depend on the text, the scene and the
 // camera alone.
 import { type PhongViewer, type FragmentExplanation } from '../../viewer/extra.js';
-import { type Intersection, type Mesh, Raycaster, Vector3 } from 'three';
+import { type Intersection, Mesh, Ray, type Raycaster, Vector3 } from 'three';
 import { dot, map, type Vec3 } from '../../phong/math/vector.js';
 import { withCoefficients } from './equations.js';
 import { type Asked, isAsked } from './probe-fields.js';
@@ -41,14 +41,16 @@ export async function seededFragment(
     }
   });
   const random = randomBy(seed);
-  const caster = new Raycaster(new Vector3(...viewer.camera.eye));
+  const ray = new Ray(new Vector3(...viewer.camera.eye));
+  // What a mesh reads of a Raycaster: with that class `shadeAt` would fetch one more file.
+  const caster = { ray, near: 0, far: Infinity } as Raycaster;
   let found: FragmentExplanation | null = null;
   for (let i = 0; i < TRIES && meshes.length > 0; i++) {
     const mesh = meshes[Math.floor(random() * meshes.length)]!;
-    caster.ray.lookAt(pointIn(mesh, random));
-    // Also meshes on layers that a ray does not see by itself.
+    ray.lookAt(pointIn(mesh, random));
     const hits: Intersection[] = [];
-    meshes.forEach((each) => each.raycast(caster, hits));
+    // On all layers, and by its triangles: lines of a page's own could ask for a camera.
+    meshes.forEach((each) => Mesh.prototype.raycast.call(each, caster, hits));
     const [hit] = hits.sort((a, b) => a.distance - b.distance);
     if (hit === undefined) continue;
     const point = hit.point.toArray();
