@@ -92,7 +92,7 @@ export const layers = {
   'viewer/extra.ts': { layers: viewer },
   'extras/models': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/samples': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
-  'extras/explain': { layers: extra, lazy: ['phong/reference'], packages: ['three'] },
+  'extras/explain': { layers: ['phong/reference', ...extra], packages: ['three'] },
   'extras/compare': { layers: extra, packages: ['lit'] },
   'extras/diagnosis': { layers: extra },
   'extras/overlay': {

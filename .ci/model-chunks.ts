@@ -3,9 +3,10 @@
 // the target of an import() by `lazyCode`: such a chunk could not be fetched again after a failure.
 
 export const modelChunks = [
+  // With a class of three.js that skinned models and exercises need.
   {
     name: 'model-shared',
-    test: /\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|mesh-animation|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
+    test: /\/textures\/DataTexture\.js$|\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|mesh-animation|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
   },
   // What helpers and comparison have in common with the panel. Before its rows, which would take it
   // with them.

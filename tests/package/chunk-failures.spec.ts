@@ -11,13 +11,12 @@ import { set, statsOf } from '../element/support/viewer.js';
 import { usages } from './requests.js';
 
 /** A shape, a method (and a pixel), or a model's address. */
-type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
+type Use = 'torus' | 'toBlob' | 'shadeAt' | `/${string}`;
 
 /** Runs in the page. Returns the failure's message, or null if it worked. */
 async function useIn(viewer: PhongViewer, use: Use) {
   if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
-  if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
-  if (use === 'shadeAt on') {
+  if (use === 'shadeAt') {
     return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
   }
   const said: string[] = [];
@@ -39,8 +38,7 @@ async function useIn(viewer: PhongViewer, use: Use) {
  */
 const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] = [
   ['picture-blob', 'toBlob', /The code of toBlob could not be fetched/],
-  ['shade-at', 'shadeAt beside', /The code of shadeAt could not be fetched/],
-  ['reference', 'shadeAt on', /The code of shadeAt could not be fetched/],
+  ['(shade-at|equation)', 'shadeAt', /The code of shadeAt could not be fetched/],
   ['solids', 'torus', /^load-failed: The code of the solid shapes could not be fetched/],
   [
     'model-(content|shared)',

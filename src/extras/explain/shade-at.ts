@@ -3,9 +3,7 @@
 import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { add, map, subtract, type Vec3 } from '../../phong/math/vector.js';
-import type * as Reference from '../../phong/reference/index.js';
-import type { LightShare } from '../../phong/reference/index.js';
-import { lazyCode } from '../../phong/lazy-code.js';
+import { coefficientsOf, type LightShare, shade, sumOf } from '../../phong/reference/equation.js';
 import type {
   FragmentExplanation,
   PhongMesh,
@@ -16,8 +14,6 @@ import { type Hit, pick, pickNear, shadedPoint } from './pick.js';
 import { inTasks } from './in-tasks.js';
 import { weighted } from './ray-triangles.js';
 
-const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
-
 /** Rejects with TypeError or RangeError unless x and y are finite numbers. */
 export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
@@ -27,7 +23,7 @@ export async function shadeAt(
 ): Promise<FragmentExplanation | null> {
   const column = pixel('x', x, width, scene?.width ?? 0, exact);
   const row = pixel('y', y, height, scene?.height ?? 0, exact);
-  return explained(scene === null ? null : await inTasks(pick(scene, column, row)), lights);
+  return scene === null ? null : explained(await inTasks(pick(scene, column, row)), lights);
 }
 
 /** Explains the surface at a point in world space. */
@@ -41,20 +37,19 @@ export async function explain(
   if (!point.every(Number.isFinite)) {
     throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
   }
-  const search = scene === null ? null : pickNear(scene, point as unknown as Vec3);
-  return explained(search === null ? null : await inTasks(search), lights);
+  if (scene === null) return null;
+  return explained(await inTasks(pickNear(scene, point as unknown as Vec3)), lights);
 }
 
-async function explained(
+function explained(
   hit: Hit<PhongMesh | PhongViewer> | null,
   lights: ViewerSnapshot['lights'],
-): Promise<FragmentExplanation | null> {
+): FragmentExplanation | null {
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
-  const equation = await referenceCode();
   const lightsHere = lights.map(({ values }) => relative(values, hit.frame.origin));
-  const { surface, shaded } = shadeHit(equation, hit, lightsHere);
-  const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
+  const { surface, shaded } = shadeHit(hit, lightsHere);
+  const { ka, kd, ks } = coefficientsOf(surface, phong.linear);
   const { color: baseColor, opacity } = hit.base;
   return Object.freeze({
     p: frozen(add(hit.frame.origin, hit.p)),
@@ -114,17 +109,13 @@ const frozenVectors = (share: LightShare): LightShare => ({
  * The surface at a hit, and what the picture shows there. Lights are relative to the frame's
  * origin, like the hit.
  */
-function shadeHit(
-  equation: Pick<typeof Reference, 'shade' | 'sumOf'>,
-  hit: Hit,
-  lights: readonly LightValues[],
-) {
+function shadeHit(hit: Hit, lights: readonly LightValues[]) {
   const { frame, weights } = hit;
   const { style, linear } = hit.drawn.phong;
   const { corners, surface, normal } = shadedPoint(hit);
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
   const at = (p: Vec3, N: Vec3) =>
-    equation.shade({ p, normal: N, eye: frame.eye }, surface, lights, options);
+    shade({ p, normal: N, eye: frame.eye }, surface, lights, options);
   const here = at(hit.p, normal);
   if (style.shading !== 'gouraud') return { surface, shaded: here };
   const [a, b, c] = corners;
@@ -144,7 +135,7 @@ function shadeHit(
       specular: term('specular'),
     };
   });
-  return { surface, shaded: { ...here, shares, ...equation.sumOf(shares, surface, linear) } };
+  return { surface, shaded: { ...here, shares, ...sumOf(shares, surface, linear) } };
 }
 
 /**
