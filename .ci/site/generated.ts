@@ -84,7 +84,7 @@ export const SIZES: readonly SizeRow[] = [
   { words: 'the reader of glTF and GLB, with the first model of this format', folder: 'chunks', file: /^read-gltf-/, noted: 40 }, // oxfmt-ignore
   { words: 'the reader of OBJ and MTL', folder: 'chunks', file: /^read-obj-/, noted: 4 },
   { words: 'the reader of STL', folder: 'chunks', file: /^read-stl-/, noted: 1.9 },
-  { words: 'the reader of PLY', folder: 'chunks', file: /^read-ply-/, noted: 3.1 },
+  { words: 'the reader of PLY', folder: 'chunks', file: /^read-ply-/, noted: 3.5 },
   {
     words: 'the Draco decoder, if a model needs it',
     folder: 'chunks',
