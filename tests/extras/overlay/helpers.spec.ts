@@ -517,4 +517,11 @@ test.describe('a viewer with helpers', () => {
     await assign(viewer, { helpers: [] });
     await expect(viewer.locator('svg')).toHaveCount(0);
   });
+
+  test('draws the box of a flattened shape without hidden edges', async ({ mount }) => {
+    const flat = '<phong-mesh geometry="box" scale="1 0 1"></phong-mesh>';
+    const viewer = await mount(`<phong-viewer alt="" helpers="bounds">${flat}</phong-viewer>`);
+    await expect(viewer.locator('svg path[stroke-dasharray=none]')).not.toHaveCount(0);
+    await expect(viewer.locator('svg path:not([stroke-dasharray=none])')).toHaveCount(0);
+  });
 });

@@ -270,10 +270,13 @@ function boxEdges(
   const corner = (bits: number): Vec3 =>
     transformed(matrixWorld.elements, endOf(bits, 0), endOf(bits, 1), endOf(bits, 2));
   const eye = new Vector3(...view.eye).applyMatrix4(matrixWorld.clone().invert());
-  /** The eye is on the outer side of the face, in the box's own space. */
+  /**
+   * The eye is on the outer side of the face, in the box's own space. A flattened box has no such
+   * space, and hides nothing: there the difference is not a number.
+   */
   const isFront = (axis: number, bit: number): boolean => {
     const beyond = eye.getComponent(axis) - ends[bit]![axis]!;
-    return bit === 0 ? beyond < 0 : beyond > 0;
+    return !(bit === 0 ? beyond >= 0 : beyond <= 0);
   };
   for (const axis of [0, 1, 2]) {
     for (const bits of [0, 1, 2, 3]) {
