@@ -6,7 +6,7 @@ import type { BrowserContext } from '@playwright/test';
 
 interface Claim {
   readonly pattern: RegExp;
-  readonly times: number | undefined;
+  readonly times: number | 'any' | undefined;
   readonly met: string[];
 }
 
@@ -40,10 +40,10 @@ export class ConsoleGuard {
 
   /**
    * Claims the messages that match, among them `warning: …`, `error: …`, `log: …`, `uncaught: …`.
-   * @param times how many there must be; default: at least one.
+   * @param times how many there must be; default: at least one; 'any': none, too.
    * @returns the messages as they come.
    */
-  allow(pattern: RegExp, times?: number): readonly string[] {
+  allow(pattern: RegExp, times?: number | 'any'): readonly string[] {
     const met: string[] = [];
     this.#claims.push({ pattern, times, met });
     return met;
@@ -53,7 +53,8 @@ export class ConsoleGuard {
   check(): void {
     const faults = this.#strays.map((text) => `unexpected on the console: ${text}`);
     for (const { pattern, times, met } of this.#claims) {
-      if (times === undefined ? met.length > 0 : met.length === times) continue;
+      if (times === 'any' || (times === undefined ? met.length > 0 : met.length === times))
+        continue;
       faults.push(`${String(pattern)} was met ${met.length} times, not ${times ?? 'once or more'}`);
     }
     if (faults.length > 0) throw new Error(faults.join('\n'));
