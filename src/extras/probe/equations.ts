@@ -15,10 +15,10 @@ import {
   type ShadedValue,
 } from '../../phong/light/light-state.js';
 import { cosDegrees } from '../../phong/math/angle.js';
-import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
+import { srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
 import { lampOf, power } from '../../phong/mistakes/steps.js';
-import { sumOf } from '../../phong/reference/equation.js';
+import { decoded, sumOf } from '../../phong/reference/equation.js';
 import {
   decimals,
   degreesOf,
@@ -315,7 +315,7 @@ export const drawn = (sum: Vec3, linear: boolean): Vec3 =>
   map(sum, (x) => clamp(linear ? srgbEncode(Math.max(x, 0)) : x, 0, 1));
 
 export const ownOf = ({ emissive }: FragmentExplanation, linear: boolean): Vec3 =>
-  map(emissive, (x) => (linear ? srgbDecode(x) : x));
+  decoded(emissive, linear);
 
 function sumLine(
   lines: readonly Equation[],

@@ -157,7 +157,8 @@ export function coefficientsOf(surface: Surface, linear = false): Record<'ka' | 
   };
 }
 
-const decoded = (v: Vec3, linear: boolean): Vec3 => (linear ? map(v, srgbDecode) : v);
+/** A colour in 0–1 as shading takes it: through the sRGB curve where shading is linear. */
+export const decoded = (v: Vec3, linear: boolean): Vec3 => (linear ? map(v, srgbDecode) : v);
 
 function share(
   light: Readonly<LightValues>,
