@@ -97,7 +97,6 @@ export const layers = {
   'extras/diagnosis': { layers: extra },
   'extras/overlay': {
     layers: ['extras/explain', ...extra],
-    lazy: ['phong/reference'],
     packages: ['three', 'lit'],
   },
   // The equation in steps, and the points of a picture.
