@@ -100,7 +100,7 @@ export function headerHtml(path: string, inside: readonly Section[]): string {
           <input id="search" type="search" placeholder="Search" aria-label="Search all pages" aria-controls="found" autocomplete="off" spellcheck="false" />
           <ol id="found" aria-label="Found" hidden></ol>
         </div>
-      </header>${inside.length > 0 ? contentsHtml(path, root, inside) : ''}`;
+      </header>${inside.length > 0 || isInGuide(path) ? contentsHtml(path, root, inside) : ''}`;
 }
 
 /**

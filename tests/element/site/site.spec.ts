@@ -273,9 +273,9 @@ test('pages at earlier addresses lead to the new ones', async ({ page, request }
 test('the contents open at the page that is read, and Escape closes them', async ({ page }) => {
   for (const size of [PHONE, { width: 1280, height: 260 }]) {
     await page.setViewportSize(size);
-    await page.goto('/demo/guide/reference/');
+    await page.goto('/demo/guide/vectors/');
     const contents = page.getByRole('navigation', { name: 'Guide', exact: true });
-    const current = contents.getByRole('link', { name: 'Reference', exact: true });
+    const current = contents.getByRole('link', { name: 'Test vectors', exact: true });
     const button = contents.getByRole('button', { name: 'Contents' });
     if (size === PHONE) {
       await expect(current).toBeHidden();
