@@ -116,6 +116,12 @@ function resolveLinks(token: Token, resolved: (href: string) => string | null): 
   }
 }
 
+const plainCode = pages.renderer.rules.code_inline!;
+
+/** A long name breaks after an underscore. */
+pages.renderer.rules.code_inline = (...token) =>
+  plainCode(...token).replaceAll(/_(?=\w)/g, '_<wbr />');
+
 const plainFence = pages.renderer.rules.fence!;
 /** Live pictures of the page so far. */
 let figures = 0;

@@ -49,11 +49,12 @@ test('other blocks are text', () => {
   expect(page('# A\n\n```html\n<b>x</b>\n```\n').html).toContain('&lt;b&gt;x&lt;/b&gt;');
 });
 
-test('names in tables of an element can be linked to', () => {
+test('names in tables of an element can be linked to, and break after underscores', () => {
   const { html } = page(
-    '# A\n\n## `<phong-light>`\n\n| event | meaning |\n| --- | --- |\n| `load` | b |\n',
+    '# A\n\n## `<phong-light>`\n\n| event | meaning |\n| --- | --- |\n| `load` | `A_B` |\n',
   );
   expect(html).toContain('<code id="phong-light-load-event">load</code>');
+  expect(html).toContain('A_<wbr />B');
 });
 
 test('a link that leads nowhere on the site is text', () => {
