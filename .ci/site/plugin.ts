@@ -196,6 +196,9 @@ const contentType = (path: string): string =>
       ? 'application/wasm'
       : 'text/javascript';
 
+/** A formula and the stop after it: no line begins with the stop. */
+const STOPPED = /<math\b(?:(?!<math)[^])*?<\/math\s*>[.,:;)]/g;
+
 function pageHtml(source: string, path: string, building: boolean): string {
   const title = /<title>([^<]*)<\/title>\s*/.exec(source);
   const description = /<meta\s+name="description"\s+content="([^"]*)"\s*\/>\s*/.exec(source);
@@ -217,6 +220,7 @@ function pageHtml(source: string, path: string, building: boolean): string {
     .replace(title[0], '')
     .replace(description[0], '')
     .replace('<head>', () => `<head>${head}`)
+    .replaceAll(STOPPED, '<span class="whole">$&</span>')
     .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path, inside))
     .replace('<!-- languages -->', () => languagesHtml(languages, path))
     .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
