@@ -81,8 +81,8 @@ export function markdownPage(
   };
 }
 
-// Written by us, and served under a strict policy: HTML in it is meant.
-const pages = new MarkdownIt({ html: true });
+// Written by us, and served under a strict policy: HTML in it is meant. Apostrophes become curved.
+const pages = new MarkdownIt({ html: true, typographer: true }).disable('replacements');
 
 const inner = (token: Token, env: Env): string =>
   pages.renderer.renderInline(token.children ?? [], pages.options, env);
