@@ -112,7 +112,9 @@ function addPictures(accuracy, width, top, add) {
   const title = `Errors × ${MAGNIFIED}, n = ${exponentText(PICTURED.exponent)}: black is exact`;
   add('text', { x: 0, y: top }, title);
   const gap = 12;
-  const side = Math.floor(Math.min(170, (width - gap * (pictures.length - 1)) / pictures.length));
+  const side = Math.floor(
+    Math.min(170, (width - 2 - gap * (pictures.length - 1)) / pictures.length),
+  );
   pictures.forEach(({ way, png }, i) => {
     const x = i * (side + gap);
     const { error = 0 } =
