@@ -335,30 +335,6 @@ test.describe('a droppable viewer', () => {
     await expect(viewer.locator('[part=notice]')).toHaveCount(0);
   });
 
-  test('says what to do about several models, none, and other formats', async ({ page, mount }) => {
-    const viewer = await mount(viewerOf('droppable'), size);
-    for (const [paths, names, message] of [
-      [
-        ['coloured.stl', 'coloured.ply'],
-        undefined,
-        /There are 2 models: coloured\.stl, coloured\.ply\. Drop one of them/,
-      ],
-      [
-        ['quads.mtl', 'beside/quad.bin'],
-        ['a.mtl', 'b.bin'],
-        /None of the 2 files is a model: glTF/,
-      ],
-      [
-        ['beside/quad.bin'],
-        ['chair.fbx'],
-        /^The format is not supported: chair\.fbx\. Export it as one that is: glTF/,
-      ],
-    ] as const) {
-      await filesIn(page, paths, names);
-      expect((await drop(viewer)).detail.message).toMatch(message);
-    }
-  });
-
   test('leaves drops to the page without the attribute, and where the page has taken them', async ({
     page,
     mount,

@@ -160,26 +160,22 @@ describe('an image', () => {
 });
 
 describe('the factors of a map whose image is missing', () => {
-  const lookOf = async (material: Json) =>
-    (await loadFiles({ 'a.gltf': gltf({ materials: [material] }) })).parts[0]?.look;
-
-  it('do not make all of the surface glow', async () => {
-    const emissiveFactor = [1, 1, 1];
-    expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([
-      0, 0, 0,
-    ]);
-    expect((await lookOf({ emissiveFactor }))?.emissive[0]).toBeCloseTo(1, 12);
-  });
-
-  it('do not make all of the surface metal', async () => {
-    const factors = { metallicFactor: 1, roughnessFactor: 1 };
-    const metallicRoughnessTexture = { index: 0 };
-    const lost = await lookOf({ pbrMetallicRoughness: { ...factors, metallicRoughnessTexture } });
-    expect(lost).toMatchObject({ metalness: 0, roughness: null });
-    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({
-      metalness: 0,
-      roughness: null,
-    });
+  it.each<[string, Json, object]>([
+    ['glow', { emissiveFactor: [1, 1, 1], emissiveTexture: { index: 0 } }, { emissive: [0, 0, 0] }],
+    [
+      'metal',
+      {
+        pbrMetallicRoughness: {
+          metallicFactor: 1,
+          roughnessFactor: 1,
+          metallicRoughnessTexture: { index: 0 },
+        },
+      },
+      { metalness: 0, roughness: null },
+    ],
+  ])('do not make all of the surface %s', async (_, material, look) => {
+    const { parts } = await loadFiles({ 'a.gltf': gltf({ materials: [material] }) });
+    expect(parts[0]?.look).toMatchObject(look);
   });
 });
 
@@ -213,6 +209,15 @@ describe('files from the user’s disk', () => {
     expect(warnings[0]).toMatch(
       /without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/,
     );
+  });
+
+  it.each([
+    [['a.stl', 'b.ply'], /There are 2 models: a\.stl, b\.ply\. Drop one of them/],
+    [['a.mtl', 'b.bin'], /None of the 2 files is a model: glTF/],
+    [['chair.fbx'], /^The format is not supported: chair\.fbx\. Export it as one that is: glTF/],
+  ])('are an error that says what to do, if they are %j', async (names, message) => {
+    const files = Object.fromEntries(names.map((name) => [name, 'x']));
+    await expect(dropped(files)).rejects.toThrow(message);
   });
 
   it('are an error that names everything missing if a buffer is', async () => {

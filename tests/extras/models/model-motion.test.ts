@@ -335,12 +335,6 @@ describe('nodes, skins and scenes in any arrangement', () => {
       2,
     );
   });
-
-  it('with a node listed in the scene that lies below another one, which is shown once', async () => {
-    const document = { ...bar({ skinned: false }), nodes: [{ children: [1] }, { mesh: 0 }] };
-    const model = await load({ ...document, scenes: [{ nodes: [0, 1, 0] }] });
-    expect(model.parts).toHaveLength(1);
-  });
 });
 
 describe('the work of a pose', () => {

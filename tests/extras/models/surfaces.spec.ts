@@ -299,23 +299,4 @@ test.describe('by the rules of demo/guide/models.md', () => {
       }
     }
   });
-
-  test('features that the equation does not have give one warning', async ({
-    mount,
-    consoleGuard,
-  }) => {
-    const met = consoleGuard.allow(
-      /^warning: .*KHR_materials_transmission, KHR_materials_clearcoat, occlusionTexture/,
-      1,
-    );
-    const material = {
-      occlusionTexture: { index: 0 },
-      extensions: {
-        KHR_materials_transmission: { transmissionFactor: 1 },
-        KHR_materials_clearcoat: {},
-      },
-    };
-    await mount(viewerOf({ material, textures: [SMOOTH] }), SIZE);
-    expect(met).toHaveLength(1);
-  });
 });
