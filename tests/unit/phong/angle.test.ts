@@ -11,10 +11,6 @@ const degrees = fc.oneof(
   fc.double({ noNaN: true, noDefaultInfinity: true }),
 );
 
-it('turns 180 degrees into pi', () => {
-  expect(radians(180)).toBe(Math.PI);
-});
-
 describe('wrapping degrees', () => {
   it('lands in [-180, 180), and leaves what is inside bit for bit', () => {
     expect([wrapDegrees(-180), wrapDegrees(180)]).toStrictEqual([-180, -180]);

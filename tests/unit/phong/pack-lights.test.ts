@@ -24,9 +24,10 @@ import { loop, pack, read, WORLD } from '../packed-reader.js';
 import { translation } from '../../support/matrices.js';
 
 const f = Math.fround;
-const floats = (...numbers: number[]) => numbers.map(f);
-const colors = { ambient: [51, 102, 153], diffuse: [255, 128, 0], specular: [510, 0, 1] } as const;
-const lamp = { ...colors, position: [1, 2, 3, 1] } as const satisfies Partial<LightValues>;
+const lamp = {
+  ambient: [51, 102, 153],
+  position: [1, 2, 3, 1],
+} as const satisfies Partial<LightValues>;
 const BLACK = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
 const spot = {
   ...lamp,
@@ -34,14 +35,6 @@ const spot = {
   aperture: 60,
   cutoff: 12,
 } as const satisfies Partial<LightValues>;
-
-it('keeps colours above 255', () => {
-  const [{ diffuse, specular } = {}] = read(pack([light(lamp)])).point;
-  expect([diffuse?.xyz, specular?.xyz]).toStrictEqual([
-    floats(1, 128 / 255, 0),
-    floats(2, 0, 1 / 255),
-  ]);
-});
 
 it('makes a cone of no width as wide as float32 needs for its own axis', () => {
   const limit = (aperture: number) =>
@@ -61,7 +54,11 @@ describe('a light is left out of the loop', () => {
       1,
     ],
     ['a black spot', { ...spot, ...BLACK }, 0],
-    ['directional without a direction', { position: [0, 0, 0, 0], ambient: [255, 0, 0] }, 1],
+    [
+      'directional without a direction',
+      { position: [0, 0, 0, 0], ambient: [255, 0, 0], aperture: 0, cutoff: 9 },
+      1,
+    ],
     ['directional and out of its own cone', { ...behind, aperture: 170 }, 0],
     ['directional, behind its own decay', { ...behind, cutoff: 1 }, 0],
   ])('that is %s', (_, values, ambient) => {
@@ -144,18 +141,11 @@ describe('the cone and decay of a directional light', () => {
 
   it.each<[number, Vec3, Vec3, number]>([
     [0, [1, 2, 3], [-1, -2, -3], 1],
-    [0, [1, 2, 3], [-0.1, -0.2, -0.3], 1],
     [60, [1, Math.sqrt(3), 0], [-1, 0, 0], 1],
-    ...[1e-3, 1e-8, 1e-10, 1e-14].map((x): [number, Vec3, Vec3, number] => [
-      0,
-      [x, 1, 0],
-      [0, -1, 0],
-      0,
-    ]),
-    [180 - 1e-9, [0, 1, 0], [0, 1, 0], 0],
+    [0, [1e-3, 1, 0], [0, -1, 0], 0],
+    [0, [1e-14, 1, 0], [0, -1, 0], 0],
     [180 - 1e-9, [1e-12, 1, 0], [0, 1, 0], 0],
     [180 - 1e-9, [1e-10, 1, 0], [0, 1, 0], 1],
-    [180 - 1e-9, [1e-3, 1, 0], [0, 1, 0], 1],
   ])('of %d degrees to %j around %j are met by %d lights', (aperture, [x, y, z], axis, sent) => {
     expect(pack([light({ position: [x, y, z, 0], axis, aperture })]).sent).toBe(sent);
   });
@@ -171,22 +161,20 @@ describe('the cone and decay of a directional light', () => {
     expect(behind({ cutoff: 9.9e-7, aperture: 180 - 1e-9 })).toBe(1);
   });
 
-  it('need an axis and a direction', () => {
-    const open = { aperture: 0, cutoff: 9, ambient: [255, 0, 0] } as const;
-    expect(
-      read(pack([light({ ...open, axis: [0, 0, 0] })])).directional[0]!['diffuse']!.xyz[0],
-    ).toBe(1);
-    expect(read(pack([light({ ...open, position: [0, 0, 0, 0] })])).ambient[0]).toBe(1);
+  it('need an axis', () => {
+    const packed = pack([light({ aperture: 0, cutoff: 9, axis: [0, 0, 0] })]);
+    expect(read(packed).directional[0]!['diffuse']!.xyz[0]).toBe(1);
   });
 });
 
+const surface = {
+  ka: [200, 150, 100],
+  kd: [255, 200, 50],
+  ks: [128, 255, 60],
+  shininess: 8,
+} as const;
+
 it('includes the same round numbers exactly at the edge as the equation', () => {
-  const surface = {
-    ka: [255, 255, 255],
-    kd: [255, 255, 255],
-    ks: [255, 255, 255],
-    shininess: 1,
-  } as const;
   const whole = [-2, -1, 0, 1, 2].flatMap((x) =>
     [-2, -1, 0, 1, 2].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)),
   );
@@ -255,13 +243,6 @@ it('packed lights are finite and active only, with unit directions and no negati
     { numRuns: 700 },
   );
 });
-
-const surface = {
-  ka: [200, 150, 100],
-  kd: [255, 200, 50],
-  ks: [128, 255, 60],
-  shininess: 8,
-} as const;
 
 it("packed lights give the reference's sum, in every space, in linear light too", () => {
   const scene = fc.tuple(

@@ -3,34 +3,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {
-  add,
-  cross,
-  dot,
   length,
-  multiply,
   negate,
   normalize,
   perpendicular,
   scale,
-  subtract,
   transformed,
   type Vec3,
 } from '../../../src/phong/math/vector.js';
 import { numbers, triple } from '../arbitraries.js';
 
-const A: Vec3 = [1, 2, 3];
-const B: Vec3 = [4, -5, 6];
 const anyVector = triple(numbers(-1e308, 1e308));
-
-it('adds, subtracts, scales and multiplies by component; the cross product is right-handed', () => {
-  expect(add(A, B)).toStrictEqual([5, -3, 9]);
-  expect(subtract(A, B)).toStrictEqual([-3, 7, -3]);
-  expect(scale(A, -2)).toStrictEqual([-2, -4, -6]);
-  expect(multiply(A, B)).toStrictEqual([4, -10, 18]);
-  expect(negate(B)).toStrictEqual([-4, 5, -6]);
-  expect(dot(A, B)).toBe(12);
-  expect(cross(A, B)).toStrictEqual([27, 6, -13]);
-});
 
 it('takes places and directions through a matrix', () => {
   // Columns; primes, so that no two sums agree.
