@@ -17,7 +17,6 @@ export { cssColor } from './element/fields/css-color.js';
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
 export { VIEWER_FIELDS } from './element/fields/viewer-fields.js';
 export { fieldsOf, hostOf, sceneMeshes } from './element/internals.js';
-export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles } from './element/page/style-sheets.js';
 export { lightName } from './element/phong-light.js';

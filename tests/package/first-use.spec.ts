@@ -88,12 +88,6 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ],
 ];
 
-/**
- * The width of the panel, which the comparison needs too. The standalone build has it in a chunk
- * with other code.
- */
-const WITH_OTHERS = 'panel-column';
-
 for (const usage of ['standalone', 'modules'] as const) {
   test(`${usage === 'modules' ? '@release ' : ''}parts are fetched at first use (${usage})`, async ({
     page,
@@ -113,9 +107,7 @@ for (const usage of ['standalone', 'modules'] as const) {
       const late = new Set<string>();
       const came = () => {
         for (const path of requests.take()) {
-          if (chunkName(path) !== WITH_OTHERS) {
-            late.add(chunkName(path));
-          }
+          late.add(chunkName(path));
         }
         return [...late].sort().join(' ');
       };

@@ -8,7 +8,6 @@ import {
   CORNER_MARKS,
   fieldsOf,
   PANEL_PLACE,
-  panelColumn,
   type PhongCompare,
   type PhongViewer,
   phrase,
@@ -41,7 +40,6 @@ export class Comparison implements ReactiveController {
 
   hostConnected(): void {
     const root = this.#element.shadowRoot!;
-    addStyles(root, panelColumn);
     addStyles(root, styles);
     this.#observe();
     const { signal } = (this.#listeners = new AbortController());

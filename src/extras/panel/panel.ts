@@ -2,13 +2,7 @@
 // the camera, and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import { GUI_FOLDERS } from '../../phong/fields/viewer-words.js';
-import {
-  addStyles,
-  PANEL_PLACE,
-  panelColumn,
-  type PhongMesh,
-  type PhongViewer,
-} from '../../viewer/extra.js';
+import { addStyles, PANEL_PLACE, type PhongMesh, type PhongViewer } from '../../viewer/extra.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
 import { addFlatRows } from './flat-rows.js';
@@ -32,7 +26,7 @@ export { takeRows } from './viewer-rows.js';
 const WIDE = { text: 40, column: PANEL_PLACE.wide } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
-const STYLES = panelColumn + panelStyles + controls;
+const STYLES = panelStyles + controls;
 
 const CHANGES = ['lights', 'camera', 'viewer', 'meshes'] as const;
 type Change = (typeof CHANGES)[number];

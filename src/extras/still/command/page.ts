@@ -198,7 +198,7 @@ function sizeOf(element: Element, style: string): Size | null {
 }
 
 /**
- * What an open panel leaves. Its column has 24.17em and 16 pixels, see phong-viewer.css: 306 where an
+ * What an open panel leaves. Its column has 24.17em and 16 pixels, see own-text.css: 306 where an
  * em is the element's usual 12.
  */
 function besidePanel(element: Element, size: Size | null): Size | null {
