@@ -3,7 +3,7 @@
 // attributes are kept. Knows no viewer.
 import attributes from 'virtual:attributes';
 import { didYouMean } from '../../src/phong/fields/nearest.js';
-import { tagCount } from '../../src/extras/png/tags.js';
+import { MOST_TAGS, tagCount } from '../../src/extras/png/tags.js';
 import { LONGEST_TEXT } from './address.js';
 import { sourceKind } from './sources.js';
 
@@ -25,12 +25,7 @@ export interface Scene {
   readonly hosts: readonly string[];
 }
 
-/**
- * Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of
- * thousands.
- */
-const MOST_ELEMENTS = 1000;
-/** The same in triangles: 0.23 GB. */
+/** Triangles of a scene, far more than a person writes: 0.23 GB. */
 export const MOST_TRIANGLES = 2 ** 22;
 /** The same in estimated bytes, images included: as much as one viewer may take. */
 export const MOST_MEMORY = 950_000_000;
@@ -54,8 +49,8 @@ export function readScene(text: string, base: string): Scene | string {
   if (text.length > LONGEST_TEXT) {
     return `The markup is too long to show: at most ${LONGEST_TEXT.toLocaleString('en')} characters.`;
   }
-  if (tagCount(text) > MOST_ELEMENTS) {
-    return `The markup has too many elements to show: at most ${MOST_ELEMENTS.toLocaleString('en')}.`;
+  if (tagCount(text) > MOST_TAGS) {
+    return `The markup has too many elements to show: at most ${MOST_TAGS.toLocaleString('en')}.`;
   }
   const parsed = new DOMParser().parseFromString(text, 'text/html');
   const viewer = [...parsed.getElementsByTagName(VIEWER)].find(isHtml);

@@ -5,10 +5,7 @@
 import { fieldsOf, historyOf, type PhongViewer, type ValuesByTag } from '../../viewer/extra.js';
 import { SIGNATURE } from './chunks.js';
 import { markupIn, PngTextError } from './read-text.js';
-import { tagCount } from './tags.js';
-
-/** With the viewer. Each mesh costs memory. */
-const MOST_ELEMENTS = 1001;
+import { MOST_TAGS, tagCount } from './tags.js';
 
 /** Which values say what a page lets its users do, and how it loads: they stay. */
 const OF_THE_PAGE: Readonly<Record<keyof ValuesByTag['phong-viewer'], boolean>> = {
@@ -59,7 +56,7 @@ export async function sceneOpener(file: Blob): Promise<((viewer: HTMLElement) =>
   const start = new Uint8Array(await file.slice(0, SIGNATURE.length).arrayBuffer());
   if (!SIGNATURE.every((byte, i) => start[i] === byte)) return null;
   const markup = await markupIn(file);
-  if (tagCount(markup) > MOST_ELEMENTS) throw new PngTextError('too-large');
+  if (tagCount(markup) > MOST_TAGS) throw new PngTextError('too-large');
   const declared = parsed(markup).querySelector('phong-viewer');
   if (declared === null) throw new PngTextError('none');
   const children = [...declared.querySelectorAll('phong-light, phong-mesh')].filter(

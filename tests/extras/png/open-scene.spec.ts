@@ -80,7 +80,7 @@ test('a picture without a scene, of too many elements or of a missing file is a 
   expect(await htmlOf(viewer)).toBe(before);
   for (const [markup, words] of [
     ['<p>No viewer</p>', 'Keine Szene'],
-    [`<phong-viewer>${'<b>'.repeat(1001)}</phong-viewer>`, 'too large to open'],
+    [`<phong-viewer>${'<b>'.repeat(1000)}</phong-viewer>`, 'too large to open'],
     ['<phong-viewer src="models/nowhere.glb"></phong-viewer>', 'nowhere.glb'],
   ] as const) {
     await drop(viewer, holding(markup));
