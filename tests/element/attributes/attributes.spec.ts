@@ -10,7 +10,7 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
   site,
   consoleGuard,
 }) => {
-  const warnings = consoleGuard.allow(/^warning: <phong-/, 6);
+  const warnings = consoleGuard.allow(/^warning: <phong-/, 7);
   const light = '<phong-light></phong-light>';
   await page.goto(
     site.page(`<phong-viewer>${light}<phong-mesh></phong-mesh>${light}</phong-viewer>`),
@@ -19,6 +19,7 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
     fov: 33,
     target: [1, 2, 3],
     theta: 'north',
+    texts: 'Nochmal',
     autoRotate: null,
     camera: 1,
     ready: 1,
@@ -53,13 +54,14 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
     [[255, 255, 255], 0, 'light 2'],
     ['torus', [1, 1, 1]],
   ]);
-  expect([...warnings].sort().map((line) => /<[\w-]+> [\w-]+/.exec(line)?.[0])).toEqual([
+  expect([...warnings].sort().map((line) => /<[\w-]+>\W\w+/.exec(line)?.[0])).toEqual([
     '<phong-light> cutoff',
     '<phong-light> cutoff',
     '<phong-light> diffuse',
     '<phong-light> name',
     '<phong-mesh> scale',
     '<phong-viewer> theta',
+    '<phong-viewer>.texts',
   ]);
   await assign(first, { cutoff: 3 });
   expect(await page.evaluate(() => document.querySelector('phong-light')?.cutoff)).toBe(3);

@@ -324,43 +324,6 @@ test('the button of the message repeats what failed, and keeps the focus', async
   await expect(viewer).toBeFocused();
 });
 
-test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
-  await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
-  for (const texts of ['Nochmal', 1, ['a'], { Loading: 1 }, { Loading: null }]) {
-    const error = await viewer.evaluate((element, value) => {
-      try {
-        Reflect.set(element, 'texts', value);
-        return '';
-      } catch (thrown) {
-        return String(thrown);
-      }
-    }, texts);
-    expect(error, JSON.stringify(texts)).toMatch(/^TypeError: <phong-viewer>\.texts: expected/);
-    await expect(viewer).toHaveJSProperty('texts', {
-      'Try again': 'Nochmal',
-    });
-  }
-  consoleGuard.allow(/<phong-viewer>\.texts: expected/, 1);
-  const upgraded = await page.evaluate(() => {
-    const page2 = new DOMParser().parseFromString(
-      '<phong-viewer></phong-viewer>'.repeat(2),
-      'text/html',
-    );
-    return [{ 'Try again': 'Nochmal' }, 'Nochmal'].map((texts) => {
-      const element = page2.querySelector('phong-viewer')!;
-      Object.assign(element, { texts });
-      document.body.append(element);
-      return element.texts;
-    });
-  });
-  expect(upgraded).toEqual([{ 'Try again': 'Nochmal' }, null]);
-});
-
 test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the panel', async ({
   page,
   mount,

@@ -77,24 +77,13 @@ test('messages repeat a part of long texts in files and addresses', async ({
   consoleGuard,
 }) => {
   consoleGuard.allow(/error: Failed to load resource/);
-  consoleGuard.allow(/warning: .*Save it without that extension\./, 2);
+  consoleGuard.allow(/warning: .*Save it without that extension\./, 1);
   const viewer = await mount('<phong-viewer></phong-viewer>');
   const errors = await record(viewer, 'error');
   const [word, words] = ['x'.repeat(1e5), 'x '.repeat(5e4)];
-  const linked = {
-    buffers: [{ uri: `/${word}`, byteLength: 36 }],
-    bufferViews: [{ buffer: 0, byteLength: 36 }],
-    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
-    nodes: [{ mesh: 0 }],
-    scenes: [{ nodes: [0] }],
-  };
   const sources = [
     ...[word, words].map((version) => addressOf({ asset: { version } })),
-    ...[word, words].map((name) =>
-      addressOf({ asset: { version: '2.0' }, extensionsRequired: [name] }),
-    ),
-    addressOf({ asset: { version: '2.0' }, ...linked }),
+    addressOf({ asset: { version: '2.0' }, extensionsRequired: [word] }),
     `/${'x'.repeat(5000)}.glb`,
   ];
   for (const [i, src] of sources.entries()) {

@@ -37,6 +37,17 @@ it('PhongViewer.texts goes before the script, and a viewer’s own texts before 
   expect(second.texts).toEqual({ Close: 'S', Loading: 'S', 'Try again': 'S' });
 });
 
+it('invalid `texts` throw, and the present ones stay', async () => {
+  const first = await onPage(viewer);
+  first.texts = { Close: 'V' };
+  for (const texts of ['V', 1, ['a'], { Loading: 1 }, { Loading: null }]) {
+    expect(() => Object.assign(first, { texts }), JSON.stringify(texts)).toThrow(
+      '<phong-viewer>.texts: expected an object of texts',
+    );
+    expect(first.texts).toMatchObject({ Close: 'V' });
+  }
+});
+
 it('each mistake in the scripts gives one warning; other texts are used', async () => {
   const warn = vi.spyOn(console, 'warn').mockReturnValue();
   const scripts = ['{"Close": "A",}', '["Close"]', '{"Closed": "B", "Loading": "C"}'];
