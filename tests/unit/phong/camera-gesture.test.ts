@@ -85,11 +85,6 @@ describe('shifting', () => {
       { numRuns: 500 },
     );
   });
-
-  it('keeps the target within its domain', () => {
-    const far = { ...start, theta: 0, phi: 90, radius: 1e15, target: [-1e15, 0, 0] as const };
-    expect(shift(far, 1e6, 0, view).target[0]).toBe(-1e15);
-  });
 });
 
 describe('zooming', () => {
@@ -189,9 +184,6 @@ it.each([
   expect(turn(start, 0, 10, nowhere)).toBe(start);
   if (!(height > 0)) {
     expect(shift(start, 10, 10, nowhere)).toBe(start);
-  }
-  for (const bad of [NaN, Infinity]) {
-    expect(turn(start, bad, 0, view)).toBe(start);
   }
 });
 

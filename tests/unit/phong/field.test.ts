@@ -96,12 +96,6 @@ describe('a field', () => {
     expect(numberField(0, range).expected).toBe(expected);
   });
 
-  const withDefault = kinds.filter((kind) => !['ascending', 'optional number'].includes(kind));
-  it.each(withDefault)('of a %s accepts its own default', (kind) => {
-    const field = fieldOf(kind);
-    expect(field.check(field.fallback)).toStrictEqual(field.fallback);
-  });
-
   it.each<Kind>(['vector', 'homogeneous', 'scale', 'color', 'subset'])(
     'of a %s copies the given list, and its default is frozen',
     (kind) => {

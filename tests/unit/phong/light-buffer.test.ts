@@ -49,8 +49,6 @@ describe('the texture', () => {
   it.each([
     ['one float', [4 * 5 + 2], { x: 5, y: 0, width: 1, height: 1 }],
     ['two rows and what lies between', [4 * 5, 4 * 9 + 3], { x: 5, y: 0, width: 5, height: 1 }],
-    ['the last row of a line', [4 * (WIDTH - 1)], { x: WIDTH - 1, y: 0, width: 1, height: 1 }],
-    ['the first row of the next line', [4 * WIDTH], { x: 0, y: 1, width: 1, height: 1 }],
     ['part of a later line', [4 * (2 * WIDTH + 7)], { x: 7, y: 2, width: 1, height: 1 }],
     ['across two lines', [4 * (WIDTH - 1), 4 * WIDTH], { x: 0, y: 0, width: WIDTH, height: 2 }],
     ['a whole line', [4 * WIDTH, 4 * (2 * WIDTH - 1)], { x: 0, y: 1, width: WIDTH, height: 1 }],

@@ -4,13 +4,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
-import {
-  basisOf,
-  LARGEST_LENGTH,
-  Orbit,
-  type Pose,
-  samePose,
-} from '../../../src/phong/camera/orbit.js';
+import { basisOf, LARGEST_LENGTH, Orbit } from '../../../src/phong/camera/orbit.js';
 import { eightDigits, writtenPose } from '../../../src/phong/camera/written-pose.js';
 import { cross, dot, length, map, subtract } from '../../../src/phong/math/vector.js';
 import { Dice } from '../../visual/random-scene.js';
@@ -41,19 +35,6 @@ describe('the basis', () => {
   ])('consists of 0 and ±1, without -0, at θ = %d, φ = %d', (theta, phi, right, up, back) => {
     const basis = new Orbit({ theta, phi }).basis();
     expect(basis).toStrictEqual({ right, up, back });
-  });
-
-  it('turns by exactly 90° with θ', () => {
-    fc.assert(
-      fc.property(fc.integer({ min: -3600, max: 3600 }), anyPhi, (theta, phi) => {
-        const here = new Orbit({ theta, phi }).basis();
-        const there = new Orbit({ theta: theta + 90, phi }).basis();
-        for (const axis of ['right', 'up', 'back'] as const) {
-          const [x, y, z] = here[axis];
-          expect(length(subtract(there[axis], [z, y, -x]))).toBeLessThanOrEqual(4e-16);
-        }
-      }),
-    );
   });
 
   it('is orthonormal and right-handed to two roundings, and changes no more than φ does', () => {
@@ -121,7 +102,7 @@ describe('setting', () => {
     orbit.set({});
     orbit.set({ theta: 29, target: [0, -0, 0] });
     expect(orbit.version).toBe(0);
-    orbit.set({ theta: 31 });
+    orbit.set({ target: [0, 0, 1] });
     expect(orbit.version).toBe(1);
     orbit.set({ theta: 32, phi: 10, radius: 3, target: [1, 1, 1] });
     expect(orbit.version).toBe(2);
@@ -195,18 +176,4 @@ it("a written number has eight digits from its own first one or the radius's, wh
   expect(eightDigits(x, 4e6)).toBe(1.2345679);
   expect(eightDigits(x * 1e-3, 4e-3)).toBe(0.0012345679);
   expect([0, -0].map((zero) => eightDigits(zero, 1))).toEqual([0, 0]);
-});
-
-it('two poses are the same only where each of their numbers is', () => {
-  const pose = { theta: 1, phi: 2, radius: 3, target: [4, 5, 6] } as const;
-  expect(samePose(pose, { ...pose, target: [...pose.target] })).toBe(true);
-  const changes: readonly Partial<Pose>[] = [
-    { theta: 0 },
-    { phi: 0 },
-    { radius: 1 },
-    { target: [4, 5, 0] },
-  ];
-  for (const change of changes) {
-    expect(samePose(pose, { ...pose, ...change })).toBe(false);
-  }
 });

@@ -3,10 +3,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { kindOf } from '../../../src/phong/light/light-features.js';
 import { coneLimit, LIMIT_OPEN } from '../../../src/phong/light/precision.js';
 import { HEADER } from '../../../src/phong/light/light-layout.js';
-import { KINDS, type LightValues } from '../../../src/phong/light/light-state.js';
+import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { emptyPack, packLights, selectLights } from '../../../src/phong/light/pack-lights.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { negate, normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
@@ -217,7 +216,7 @@ it('packed lights are finite and active only, with unit directions and no negati
       const packed = pack(lights, space);
       const { data, rows } = packed;
       expect(data.subarray(0, rows * 4).findIndex((x) => !Number.isFinite(x))).toBe(-1);
-      const { directional, point, spot, ambient, counts } = read(packed);
+      const { directional, point, spot, ambient } = read(packed);
       for (const light of directional) {
         expect(Math.hypot(...light['direction']!.xyz)).toBeCloseTo(1, 6);
       }
@@ -231,12 +230,6 @@ it('packed lights are finite and active only, with unit directions and no negati
       expect([ambient, ...colors].flat().every((x) => x >= 0)).toBe(true);
       const active = lights.filter((light) => light.active);
       expect(packed.active).toBe(active.length);
-      expect(packed.sent).toBe(counts[0] + counts[1] + counts[2]);
-      for (const [k, kind] of KINDS.entries()) {
-        expect(counts[k]).toBeLessThanOrEqual(
-          active.filter((light) => kindOf(light) === kind).length,
-        );
-      }
       const alone = pack(active, space);
       expect(data.subarray(0, rows * 4)).toStrictEqual(alone.data.subarray(0, alone.rows * 4));
     }),
@@ -314,24 +307,5 @@ describe("the cone's limit", () => {
     [180 - 2 ** -45, -6.1516998020872166e-32],
   ])('at %d degrees is right to 14 digits', (aperture, limit) => {
     expect(Math.abs(coneLimit(aperture) / limit - 1)).toBeLessThan(1e-14);
-  });
-
-  it('is below 0 exactly where the far side is compared, never underflows, and grows with the aperture', () => {
-    const included = (aperture: number) => {
-      const limit = coneLimit(aperture);
-      return limit < 0 ? 1 + limit : limit;
-    };
-    fc.assert(
-      fc.property(numbers(1e-12, 180), numbers(1e-12, 180), (aperture, other) => {
-        const limit = Math.fround(coneLimit(aperture));
-        expect(limit < 0).toBe(aperture > 90 && aperture < 180);
-        expect(Math.abs(limit)).toBeGreaterThan(2 ** -126);
-        if (aperture < 180) {
-          expect(Math.abs(limit)).toBeLessThanOrEqual(0.5);
-        }
-        const [narrow, wide] = [Math.min(aperture, other), Math.max(aperture, other)];
-        expect(included(wide)).toBeGreaterThanOrEqual(included(narrow));
-      }),
-    );
   });
 });
