@@ -68,12 +68,17 @@ export function guarded(source: string): string {
 }
 
 function withoutComments(source: string): string {
-  const bare = source.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, (comment, at: number) => {
+  const uncommented = source.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, (comment, at: number) => {
     if (comment.startsWith('/*') && (comment.length < 4 || !comment.endsWith('*/'))) {
       throw refused('A comment is not closed.', source.slice(0, at).split('\n').length);
     }
     return ` ${comment.replace(/[^\n]/g, '')}`;
   });
+  // A macro may go on in the next line. What follows keeps its line.
+  const bare = uncommented.replace(
+    /^(?:.*\\\n)+.*/gm,
+    (lines) => lines.replaceAll('\\\n', '') + lines.replace(/.*/g, ''),
+  );
   for (const [i, line] of bare.split('\n').entries()) {
     const [found] = /[^ -~]|["'$@\\`]/u.exec(line) ?? [];
     if (found !== undefined) {
@@ -131,9 +136,12 @@ function withStops(lines: readonly string[]): string {
     if (text === '{') {
       const isFunction = tokens[i - 1]?.text === ')';
       const name = tokens[(isFunction ? open : i) - 1]?.text ?? '';
-      const isStruct = tokens[i - 2]?.text === 'struct';
       // A macro could be the name of another function.
-      if (!/^\w/.test(name) || macros.includes(name) || !(isFunction || isStruct)) {
+      if (
+        !/^\w/.test(name) ||
+        macros.includes(name) ||
+        !(isFunction || tokens[i - 2]?.text === 'struct')
+      ) {
         throw refused(CHARACTER, line, { character: text });
       }
       if (isFunction) {
