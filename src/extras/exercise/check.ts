@@ -1,5 +1,5 @@
 // One run of a learner's function: at the sheet, at the picture, and what the colours say.
-import { type Term, TERMS } from '../../phong/light/light-state.js';
+import type { Term } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
 import { guarded } from './guard.js';
@@ -69,28 +69,28 @@ export async function check(
   const few = points.filter((_, i) => i % COUNT < ALONE);
   const parts = [
     points.map(({ given }) => [given]),
-    ...TERMS.map((term) => litBy(term, few)),
+    ...task.terms.map((term) =>
+      few.map(({ given }) => [{ ...given, light: only([term], given.light) }]),
+    ),
     picture?.cases ?? [],
   ];
   const colors = await run(guarded(source), parts.flat(), signal);
-  return inTasks(verdictOf(points, parts, colors, picture), signal);
+  return inTasks(verdictOf(points, parts, colors, picture, task), signal);
 }
 
-const litBy = (term: Term, points: readonly SheetPoint[]) =>
-  points.map(({ given }) => [{ ...given, light: only([term], given.light) }]);
-
-/** `parts`: the sheet, the same lit by each term alone, and the picture. */
+/** `parts`: the sheet, the same lit by each term that is asked for alone, and the picture. */
 function* verdictOf(
   points: readonly SheetPoint[],
   parts: readonly (readonly Case[])[],
   colors: Float32Array,
   picture: PicturePoints | null,
+  { terms }: Task,
 ): Work<Verdict> {
   const judged: Judged[] = [];
   let from = 0;
   for (const [i, part] of parts.entries()) {
     const found = colors.subarray(3 * from, 3 * (from += part.length));
-    judged.push(yield* compare(part, found, i <= TERMS.length));
+    judged.push(yield* compare(part, found, i <= terms.length));
   }
   const [all, shown] = [judged[0]!, judged.at(-1)!];
   const right = isRight(all) && isRight(shown);
@@ -103,7 +103,7 @@ function* verdictOf(
     rightPixels: shown.count - shown.wrong.length,
     pixels: shown.count,
     undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
-    terms: TERMS.filter((_, i) => !isRight(judged[i + 1]!)),
+    terms: terms.filter((_, i) => !isRight(judged[i + 1]!)),
     difference: differenceOf(all.wrong.length > 0 ? all : sample),
     worst: worstOf(shown, picture!),
     scene: isRight(shown) && !right ? sceneOf(all, points) : null,
@@ -135,7 +135,11 @@ function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verd
   for (const i of wrong) {
     const exact = exactAt(cases[i]!);
     const found = colorAt(colors, i);
-    const off = Math.max(...exact.map((x, k) => distance(x, found[k]!)));
+    // Of what a screen shows; not a number is as far as can be.
+    const offs = found.map((x, k) =>
+      Number.isNaN(x) ? 1 : Math.abs(shownValue(x) - shownValue(exact[k]!)),
+    );
+    const off = Math.max(...offs);
     if (off > most) {
       most = off;
       const pixel = picture.pixels[i]!;
@@ -144,7 +148,3 @@ function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verd
   }
   return worst;
 }
-
-/** Of what a screen shows; not a number is as far as can be. */
-const distance = (a: number, b: number) =>
-  Number.isNaN(b) ? 1 : Math.abs(shownValue(a) - shownValue(b));

@@ -37,8 +37,7 @@ export async function pointsOf(
   task: Task,
   signal: AbortSignal,
 ): Promise<PicturePoints | null> {
-  if (scene === null) return null;
-  return inTasks(pixelPoints(scene, lights, task), signal);
+  return scene === null ? null : inTasks(pixelPoints(scene, lights, task), signal);
 }
 
 function* pixelPoints(

@@ -265,17 +265,9 @@ test('a run stops where the function changes or the exercise leaves, and the nex
     const own = element as PhongExercise;
     const button = own.shadowRoot!.querySelector('button')!;
     const mistakes: string[] = [];
-    const checked = (): Promise<void> =>
-      new Promise((resolve) => {
-        own.addEventListener(
-          'check',
-          ({ detail }) => {
-            mistakes.push(detail.mistakes.join());
-            resolve();
-          },
-          { once: true },
-        );
-      });
+    own.addEventListener('check', ({ detail }) => mistakes.push(detail.mistakes.join()));
+    const checked = () =>
+      new Promise((resolve) => own.addEventListener('check', resolve, { once: true }));
     button.click();
     own.value = right;
     const first = checked();

@@ -80,6 +80,9 @@ test('functions that are wrong in an unusual way get no name, and are not right 
     const { right, mistakes } = await checkOf(one, source);
     expect({ name, right, mistakes }).toEqual({ name, right: false, mistakes: [] });
   }
+  await assign(one, { terms: ['ambient'] });
+  await checkOf(one, UNUSUAL_ONES['a constant']!);
+  await expect(one.locator('[part=verdict]')).toContainText('It differs in: Ambient term.');
   await page
     .locator('phong-light')
     .evaluateAll((lights) => lights.forEach((light) => light.setAttribute('active', 'false')));
