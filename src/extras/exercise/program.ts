@@ -263,13 +263,12 @@ function faultIn(message: string, glsl: string): Fault {
   const [, part, number, said = message] = /^ERROR: (\d+):(\d+): (.*)$/.exec(message) ?? [];
   const line = part === '1' ? Number(number) : null;
   const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(said) ?? [];
-  const isOther =
-    /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[Number(number) - 1]!);
+  const isOther = /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[line! - 1]!);
   let text = said.replace(/exercisePow/g, 'pow');
   if (name !== '') {
     text = RECURSION;
   } else if (isOther || said.includes('Function shade()')) {
-    text = /\bshade\s*\(/.test(glsl) ? OTHER_SHADE : NO_SHADE;
+    text = /\bshade\s*\([^)]*\)\s*\{/.test(glsl) ? OTHER_SHADE : NO_SHADE;
   }
   return { text, values: { name }, line };
 }

@@ -482,6 +482,7 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
   'no function': ['float x = 1.0;', 'There is no function shade'],
   'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
   recursion: [
+  'a prototype alone': [HEAD.replace(' {', ';'), 'There is no function shade'],
     `${HEAD} return shade(light, m, p, normal, eye); }`,
     'A function calls itself: shade',
   ],
@@ -511,18 +512,9 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     `float f() { float s = 0.0; for (int i = 0; i < 20000; i++) { s += 1.0; } return s; } ${HEAD} float s = 0.0; for (int i = 0; i < 20000; i++) { s += f(); } return vec3(s); }`,
     LOOPS,
   ],
-  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
   'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'Line 1: shade has other parameters'],
   'an overload that calls itself': [
     `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
     'A function calls itself: f.',
-  ],
-  'a long loop': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
-    LOOPS,
-  ],
-  'loops in loops': [
-    `${HEAD} float s = 0.0; for (int i = 0; i < 11000; i++) for (int j = 0; j < 11000; j++) s += 1.0; return vec3(s); }`,
-    LOOPS,
   ],
 };
