@@ -251,6 +251,11 @@ export const MISTAKES = mistakeTable({
       { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1), ...longAxisCone },
     ],
   },
+  'view-reversed': {
+    sentence:
+      'V or R points the wrong way: the highlight is on the opposite side. reflect() takes −L.',
+    forms: [{ cosine: (so, given) => RIGHT.cosine({ ...so, V: negate(so.V) }, given) }],
+  },
   'light-reversed': {
     sentence: 'L, N or the axis points the wrong way: L goes from the point to the light.',
     forms: [
@@ -267,11 +272,6 @@ export const MISTAKES = mistakeTable({
       byCosine(({ L, A }) => [L, negate(A)]),
       { c: ({ L, A }) => dot(L, A) },
     ],
-  },
-  'view-reversed': {
-    sentence:
-      'V or R points the wrong way: the highlight is on the opposite side. reflect() takes −L.',
-    forms: [{ cosine: (so, given) => RIGHT.cosine({ ...so, V: negate(so.V) }, given) }],
   },
   'eye-at-origin': {
     sentence: 'V lacks the eye, or p: V = eye − p.',

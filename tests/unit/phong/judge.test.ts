@@ -107,7 +107,6 @@ describe('from the colours at the sheet', () => {
 
   const nonsense: Readonly<Record<string, (given: Given) => Vec3>> = {
     black: () => [0, 0, 0],
-    white: () => [1, 1, 1],
     'the normal as a colour': ({ normal }) => normalize(normal),
     'half of the light': (given) => map(sumAt([given]), (x) => x / 2),
     'a gamma curve': (given) => map(sumAt([given]), (x) => x ** (1 / 2.2)),
@@ -117,7 +116,6 @@ describe('from the colours at the sheet', () => {
     },
     'not a number': () => [NaN, NaN, NaN],
     infinite: () => [Infinity, Infinity, Infinity],
-    'the material alone': ({ material }) => material.kd,
   };
   it.each([
     [['directional', 'point', 'spot'], TERMS],
@@ -164,6 +162,12 @@ it('no edge of a cone is named where suns of a few directions do not tell one fr
       expect(mistakesIn([one]), id).toEqual([]);
     }
   }
+});
+
+it('of two equal functions the one is named whose sentence is true of both', () => {
+  const cases = casesOf({ ...ALL, terms: ['specular'], kinds: ['directional'] });
+  const form = both(formsOf('no-gate')[0]!, formsOf('light-reversed')[0]!);
+  expect(mistakesIn([judged(cases, form)])).toEqual(['no-gate', 'view-reversed']);
 });
 
 it.each([

@@ -70,11 +70,8 @@ it('the equation in steps is the reference, term by term', () => {
 
 describe('each mistake', () => {
   it('has a sentence of its own', () => {
-    const sentences = MISTAKE_IDS.map((id) => MISTAKES[id].sentence);
-    expect(new Set(sentences).size).toBe(sentences.length);
-    for (const sentence of sentences) {
-      expect(sentence).toMatch(/^[A-Zakp].*\.$/);
-    }
+    const sentences = new Set(MISTAKE_IDS.map((id) => MISTAKES[id].sentence));
+    expect(sentences.size).toBe(MISTAKE_IDS.length);
   });
 
   it('two of them are one function where they replace different steps', () => {
