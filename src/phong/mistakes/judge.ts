@@ -175,7 +175,7 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     cases.some((at) => at.some(({ light }) => light.position[3] === 1)),
   );
   for (const all of [singles(), pairs()]) {
-    const candidates = all.filter(({ ids }) => isEdgeSeen || !/aperture/.test(ids.join()));
+    const candidates = all.filter(({ form }) => isEdgeSeen || !('isInside' in form));
     // What is 255 times as bright says nothing once it is clamped.
     const dim = candidates.filter(({ ids }) => areClamped && !ids.includes('scale-255'));
     const found = (yield* best(judged, candidates)) ?? (yield* best(judged, dim, true));

@@ -66,20 +66,20 @@ const coned = (
     })),
   );
 
-/** The cone by the cosine of two vectors, which their lengths change. */
+/**
+ * The cone by the cosine of two vectors, which their lengths change. 180 degrees are no cone, or an
+ * edge like others.
+ */
 const byCosine = (
   vectors: (so: Readonly<Values>, given: Given) => readonly [toLight: Vec3, axis: Vec3],
-): Pick<Steps, 'isInside'> => ({
-  isInside: (so, given) => {
-    const { aperture } = given.light;
-    const [toLight, axis] = vectors(so, given);
-    return (
-      aperture >= 180 ||
-      dot(so.A, so.A) === 0 ||
-      dot(toLight, negate(axis)) >= Math.cos(radians(aperture))
-    );
-  },
-});
+): readonly Form[] =>
+  [180, Infinity].map((none): Form => ({
+    isInside: (so, given) => {
+      const { aperture } = given.light;
+      const [toLight, axis] = vectors(so, given);
+      return aperture >= none || dot(toLight, negate(axis)) >= Math.cos(radians(aperture));
+    },
+  }));
 
 /** What cone and decay leave of each term. */
 const shared = (of: (term: Term, so: Readonly<Values>) => number): Pick<Steps, 'shares'> => ({
@@ -103,24 +103,25 @@ const SOME_TERMS: readonly (readonly Term[])[] = [
 const alsoTogether = (a: Form, b: Form): readonly Form[] => [a, b, { ...a, ...b }];
 
 /** Cosines may be kept below 1: some cosines of long vectors are above it. */
-const cappedLambert: Form = { lambert: ({ NoL }) => clamp(NoL, 0, 1) };
-const cappedLobe: Form = {
-  lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess),
-};
-const capped: readonly Form[] = [{}, ...alsoTogether(cappedLambert, cappedLobe)];
+const capped: readonly Form[] = [
+  {},
+  ...alsoTogether(
+    { lambert: ({ NoL }) => clamp(NoL, 0, 1) },
+    { lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess) },
+  ),
+];
 
 const absoluteLambert: Form = { lambert: ({ NoL }) => Math.abs(NoL) };
 const ungated: Form = { spec: ({ lobe }) => lobe };
 const halved = (NoL: number): number => 0.5 * NoL + 0.5;
 const raisedLambert: Form = { lambert: ({ NoL }, { material }) => power(NoL, material.shininess) };
 
-const longLightCone = byCosine(({ toLight, A }) => [toLight, A]);
-const longAxisCone = byCosine(({ L }, { light }) => [L, light.axis]);
+const longLightCones = byCosine(({ toLight }, { light }) => [toLight, normalize(light.axis)]);
+const longAxisCones = byCosine(({ L }, { light }) => [L, light.axis]);
 
 const reversedLambert: Form = { lambert: ({ NoL }) => Math.max(-NoL, 0) };
 
-/** Every position is a place, or a direction. */
-const allPlaces: Form = { toLight: (_, given) => subtract(placeOf(given), given.p) };
+/** Every position is a direction. */
 const allDirections: Form = { toLight: (_, given) => placeOf(given) };
 /** The attenuation does not ask whether the light is a place. */
 const attenuatedAtAll: Form = { att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1) };
@@ -145,11 +146,6 @@ const specularPlus: Form = {
   specular: ({ att, spec }, { material, light }) =>
     scale(add(material.ks, light.specular), att * spec),
 };
-
-const lengthTo = (given: Given): number => length(subtract(placeOf(given), given.p));
-
-/** All terms times a number. */
-const scaled = (full: number): Form => ({ full: () => full });
 
 /** One term times a number. */
 export const termScaled = (term: Term, by: number): Form => ({
@@ -209,7 +205,7 @@ export const MISTAKES = mistakeTable({
         // All lights, or places only.
         ...[() => true, isPositional].map(longUnder).flatMap((long) => [
           { ...long, ...cap },
-          { ...long, ...longLightCone, ...cap },
+          ...longLightCones.map((cone) => ({ ...long, ...cone, ...cap })),
           // All but the cosine of the spot.
           {
             ...long,
@@ -227,7 +223,9 @@ export const MISTAKES = mistakeTable({
             ? dot(subtract(scale(N, 2 * dot(N, toLight)), toLight), V)
             : dot(N, normalize(add(toLight, V))),
       },
-      ...alsoTogether({ c: ({ toLight, A }) => dot(toLight, negate(A)) }, longLightCone),
+      ...longLightCones.flatMap((cone) =>
+        alsoTogether({ c: ({ toLight, A }) => dot(toLight, negate(A)) }, cone),
+      ),
     ],
   },
   'view-not-unit': {
@@ -247,8 +245,10 @@ export const MISTAKES = mistakeTable({
   'axis-not-unit': {
     sentence: "The spot's axis is not normalized: its length counts in the cosine.",
     forms: [
-      ...alsoTogether({ c: ({ L }, { light }) => dot(L, negate(light.axis)) }, longAxisCone),
-      { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1), ...longAxisCone },
+      ...longAxisCones.flatMap<Form>((cone) => [
+        ...alsoTogether({ c: ({ L }, { light }) => dot(L, negate(light.axis)) }, cone),
+        { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1), ...cone },
+      ]),
     ],
   },
   'view-reversed': {
@@ -269,7 +269,7 @@ export const MISTAKES = mistakeTable({
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -1 : 1) },
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? 1 : -1) },
       // The cone or the decay only.
-      byCosine(({ L, A }) => [L, negate(A)]),
+      ...byCosine(({ L, A }) => [L, negate(A)]),
       { c: ({ L, A }) => dot(L, A) },
     ],
   },
@@ -354,11 +354,18 @@ export const MISTAKES = mistakeTable({
   'w-ignored': {
     sentence: 'position.w is ignored: 0 is a direction, 1 is a place.',
     forms: [
-      ...alsoTogether(allPlaces, attenuatedAtAll),
+      // Every position is a place.
+      ...alsoTogether(
+        { toLight: (_, given) => subtract(placeOf(given), given.p) },
+        attenuatedAtAll,
+      ),
       allDirections,
       { ...allDirections, att: () => 1 },
       { L: (_, given) => normalize(placeOf(given)) },
-      { att: (_, given) => 1 / Math.max(falloff(given.light, lengthTo(given)), 1) },
+      {
+        att: (_, given) =>
+          1 / Math.max(falloff(given.light, length(subtract(placeOf(given), given.p))), 1),
+      },
     ],
   },
   'ambient-outside-cone': {
@@ -371,13 +378,10 @@ export const MISTAKES = mistakeTable({
   },
   'no-cone': {
     sentence: 'The cone is missing: outside of it the light adds nothing.',
-    forms: [
-      { isInside: () => true },
-      // The ambient term alone is a mistake of its own.
-      ...SOME_TERMS.map((without) =>
-        shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
-      ),
-    ],
+    // The ambient term alone is a mistake of its own.
+    forms: [TERMS, ...SOME_TERMS].map((without) =>
+      shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
+    ),
   },
   'aperture-in-radians': {
     sentence: 'The aperture is used as radians: it is in degrees.',
@@ -420,9 +424,7 @@ export const MISTAKES = mistakeTable({
   'scale-255': {
     sentence: 'A colour is multiplied or divided by 255: here 1 is full.',
     forms: [
-      scaled(255),
-      scaled(1 / 255),
-      scaled(1 / 255 ** 2),
+      ...[255, 1 / 255, 1 / 255 ** 2].map((full): Form => ({ full: () => full })),
       ...TERMS.flatMap((term) => [255, 1 / 255].map((by) => termScaled(term, by))),
     ],
   },

@@ -101,6 +101,7 @@ const LOBE = 'pow(max(dot(R, V), 0.0), m.shininess)';
 const GATE = 'if (NoL > 0.0) {';
 const SUM = 'decay * (ambient + att * (diffuse + specular))';
 const CONE = 'c < cos(radians(light.aperture))';
+const LONG_CONE = 'dot(-L, light.axis) < cos(radians(light.aperture))';
 
 export const RIGHT_ONES: Readonly<Record<string, string>> = {
   'step by step': RIGHT,
@@ -147,10 +148,10 @@ ${changed(
   [`pow(max(dot(R, V), 0.0), m.shininess)`, 'lobe(N, L, V, m.shininess)'],
   ['m.kd * light.diffuse * max(NoL, 0.0)', 'positive(m.kd * light.diffuse * NoL)'],
 )}`,
-  'with spaces from elsewhere': `\uFEFF${RIGHT.replaceAll('  ', '\u00A0 ')}`,
   'with a macro over two lines': `#define LOBE(r, v) \\
   pow(max(dot(r, v), 0.0), m.shininess)
 ${changed([LOBE, 'LOBE(R, V)'])}`,
+  'with spaces from elsewhere': `\uFEFF${RIGHT.replaceAll('  ', '\u00A0 ')}`,
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 
@@ -206,6 +207,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'axis-not-unit': {
     all: changed(['normalize(light.axis)', 'light.axis']),
     'in a function': inLong(' / length(lamp.axis)', ''),
+    'the cone of every light': changed([`light.aperture < 180.0 && ${CONE}`, LONG_CONE]),
     'with a clamped cosine': changed(
       ['normalize(light.axis)', 'light.axis'],
       ['dot(L, -A)', 'clamp(dot(L, -A), -1.0, 1.0)'],
@@ -480,9 +482,9 @@ const LOOPS = 'Line 1: The function does too much';
 /** What the compiler refuses, or the count of what loops do ends. */
 export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
   'no function': ['float x = 1.0;', 'There is no function shade'],
+  'a prototype alone': [HEAD.replace(' {', ';'), 'There is no function shade'],
   'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
   recursion: [
-  'a prototype alone': [HEAD.replace(' {', ';'), 'There is no function shade'],
     `${HEAD} return shade(light, m, p, normal, eye); }`,
     'A function calls itself: shade',
   ],
