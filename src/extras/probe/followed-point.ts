@@ -14,7 +14,6 @@ import { ARROWS, type Point, Projection } from '../overlay/drawing/projection.js
 import { KEYS } from '../overlay/probe/sum.js';
 import { askedOf, formOf, type ProbeValues } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
-import { zoomOf } from '../../phong/camera/gesture.js';
 
 /** Where the pointer is, or a key has moved the ring to, as `shadeAt` takes it. */
 interface Place extends Point {
@@ -287,13 +286,13 @@ export class FollowedPoint {
 
   /** Pixels of pointer events for each of the layer. */
   get #zoom(): number {
-    return zoomOf(this.#ring.parentElement!);
+    return hostOf(this.#viewer).size().zoom;
   }
 
   /** The size of the layer over the picture, in CSS pixels. */
   get #size(): { readonly width: number; readonly height: number } {
-    const { offsetWidth, offsetHeight } = this.#ring.parentElement!;
-    return { width: Math.max(offsetWidth, 1), height: Math.max(offsetHeight, 1) };
+    const { width, height } = hostOf(this.#viewer).size();
+    return { width: Math.max(width, 1), height: Math.max(height, 1) };
   }
 
   #placeOf(point: Vec3): Point | null {

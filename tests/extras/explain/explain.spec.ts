@@ -72,6 +72,7 @@ test('`probe-change` is the same with and without `probe`, and inside CSS zoom',
     const probed = told(await next({ probe: true }));
     element.probe = false;
     element.style.display = 'none';
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     return { without, boxes, probed, gone: await next({ kd: [90, 90, 90] }) };
   });
   expect(without[0]).toBeCloseTo(100 / 255, 6);

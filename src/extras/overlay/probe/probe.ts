@@ -15,7 +15,6 @@ import type { Vec3 } from '../../../phong/math/vector.js';
 import { ARROWS, inside, type Point } from '../drawing/projection.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
-import { zoomOf } from '../../../phong/camera/gesture.js';
 
 /**
  * Another surface hides a pinned point if it is nearer to the eye by more than the width of this
@@ -206,7 +205,7 @@ class Probe implements Extra {
 
   /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. */
   get #zoom(): number {
-    return zoomOf(this.#host.tree.layer);
+    return this.#host.size().zoom;
   }
 
   /** The user chose another point. */
@@ -222,15 +221,13 @@ class Probe implements Extra {
     void this.#explained().then((shown) => {
       if (this.#listening.signal.aborted) return;
       const before = this.#view.shown;
-      // Before anything is written: reading it lays the page out.
-      const zoom = shown === before ? 1 : this.#zoom;
       this.#view.show(shown, this.#host.pin !== null);
       if (this.#acted) {
         this.#view.announce();
       }
       this.#acted = false;
       if (shown !== before) {
-        this.#notify(shown, zoom);
+        this.#notify(shown);
       }
       // Not at once: a listener may have changed the viewer, which would never end. By the frames
       // of the window that shows the viewer: the opener of a popup may be hidden.
@@ -315,8 +312,9 @@ class Probe implements Extra {
     return shown;
   }
 
-  #notify(shown: ProbedPoint | null, zoom: number): void {
+  #notify(shown: ProbedPoint | null): void {
     const { fragment = null, at = null } = shown ?? {};
+    const zoom = this.#zoom;
     const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
     const detail: ProbeDetail = { fragment, x, y, pinned: shown?.pinned === true };
     this.#host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));

@@ -1,7 +1,6 @@
 // Reports the point of `probe-at` where no probe shows it.
 import { type Extra, type ExtraHost, type ProbeDetail } from '../../../viewer/extra.js';
 import { projectionOf } from '../drawing/projection.js';
-import { zoomOf } from '../../../phong/camera/gesture.js';
 
 export function create(host: ExtraHost): Extra {
   const { viewer, values } = host;
@@ -28,7 +27,7 @@ export function create(host: ExtraHost): Extra {
       if (isGone || fragment === undefined) return;
       const at =
         fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
-      const zoom = zoomOf(host.tree.layer);
+      const { zoom } = host.size();
       const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
       const detail: ProbeDetail = { fragment, x, y, pinned: true };
       viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));

@@ -5,6 +5,15 @@ import type { Signal } from '../../../phong/fields/signal.js';
 import { zoomOf } from '../../../phong/camera/gesture.js';
 import { type PageObservers, pageOf } from './page-observers.js';
 
+/** As last measured, so that reading it lays nothing out. */
+export interface BoxSize {
+  /** CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Pixels of the page, as of pointer events, for each of these. */
+  readonly zoom: number;
+}
+
 export interface ElementView {
   /** Displayed in a document that is shown, wherever it is on the page. */
   readonly painted: boolean;
@@ -37,7 +46,7 @@ export class Visibility implements ReactiveController {
   #near: boolean | null = null;
   /** When its layout was last read, as of the window's `performance.now()`. Infinity: not yet. */
   #located = Infinity;
-  #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
+  #size = { width: 0, height: 0, zoom: 1, pixelWidth: 0, pixelHeight: 0 };
   #maxRatio = Infinity;
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
   #box: ResizeObserverSize | undefined;
@@ -54,7 +63,7 @@ export class Visibility implements ReactiveController {
     this.closed = closed;
   }
 
-  get size(): { readonly width: number; readonly height: number } {
+  get size(): BoxSize {
     return this.#size;
   }
 
@@ -195,7 +204,13 @@ export class Visibility implements ReactiveController {
     // A low limit leaves one pixel at least.
     const pixels = (length: number) =>
       Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
-    this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
+    this.#size = {
+      width,
+      height,
+      zoom,
+      pixelWidth: pixels(width),
+      pixelHeight: pixels(height),
+    };
     this.#refine();
   }
 

@@ -12,6 +12,7 @@ import type {
   PictureOptions,
 } from '../elements.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { BoxSize } from '../page/visibility.js';
 import type { ViewerCamera } from './camera.js';
 import type { ViewerTree } from './viewer-tree.js';
 
@@ -26,8 +27,8 @@ export interface ExtraHost {
   readonly names: { placed: readonly PlacedName[] };
   /** The point that the user has pinned the probe to, in world space. Null for none. */
   pin: Vec3 | null;
-  /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
-  size(): { readonly width: number; readonly height: number };
+  /** Size of the picture. 0 × 0 while the viewer has no box. */
+  size(): BoxSize;
   snapshot(): ViewerSnapshot;
 }
 

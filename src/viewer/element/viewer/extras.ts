@@ -6,7 +6,6 @@ import type { ReactiveController } from 'lit';
 import { reportMissing } from '../../model/provided-code.js';
 import { MOST_SAMPLES } from '../fields/viewer-fields.js';
 import type { Size } from '../../../phong/math/region.js';
-import { zoomOf } from '../../../phong/camera/gesture.js';
 import type { PictureOptions } from '../elements.js';
 import { pictureCode } from '../extra-code.js';
 import type { Visibility } from '../page/visibility.js';
@@ -72,14 +71,12 @@ export class ViewerExtras implements ReactiveController {
 
   snapshot(): ViewerSnapshot {
     const { viewer, viewport } = this.#context;
-    const { holder, picture, still } = viewport;
-    const { width, height } = this.#visibility.size;
-    // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own.
-    const zoom = zoomOf(holder);
+    const { picture, still } = viewport;
+    const { width, height, zoom } = this.#visibility.size;
     return {
       // The triangles of the picture that is shown.
       scene:
-        holder.getClientRects().length > 0
+        this.#visibility.connected && width > 0 && height > 0
           ? picture.snapshot(
               viewport.whole,
               Math.max(still.samples, 1),
