@@ -15,14 +15,10 @@ export function cssColor(text: string): Vec3 | null {
       `a still cannot read the colour ${JSON.stringify(key)}: write rgb(), hsl() or #hex`,
     );
   }
-  const code = named.get(key);
-  if (code !== undefined) return [code >> 16, (code >> 8) & 255, code & 255];
   const [, hex] = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/.exec(key) ?? [];
-  if (hex !== undefined) {
-    const full = hex.length > 4 ? hex : hex.replace(/./g, '$&$&');
-    const channel = (i: number): number => parseInt(full.slice(i, i + 2), 16);
-    return [channel(0), channel(2), channel(4)];
-  }
+  const full = hex !== undefined && hex.length < 6 ? hex.replace(/./g, '$&$&') : hex;
+  const code = full === undefined ? named.get(key) : parseInt(full.slice(0, 6), 16);
+  if (code !== undefined) return [code >> 16, (code >> 8) & 255, code & 255];
   const [, name, inside = ''] = /^(rgb|hsl|hwb)a?\(([^()]*)\)$/.exec(key) ?? [];
   const words = inside.trim().split(/\s*,\s*|\s*\/\s*|\s+/);
   if (name === undefined || words.length < 3 || words.length > 4) return null;

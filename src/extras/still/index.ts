@@ -46,8 +46,7 @@ const MOST_PIXELS = 33554432;
  * @throws TypeError, RangeError or ModelError for what cannot be drawn, and names it.
  */
 export async function still(markup: string, options: StillOptions): Promise<Still> {
-  const { width, height, base, background, onFile } = options;
-  const { warn = console.warn } = options;
+  const { width, height, base, background, onFile, warn = console.warn } = options;
   // A file that is read without its encoding is none.
   if (typeof markup !== 'string') throw new TypeError('the markup of a still must be a string');
   if (

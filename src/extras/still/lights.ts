@@ -116,14 +116,14 @@ function prepared(light: Readonly<LightValues>, camera: CastCamera, linear: bool
   const given = turned([x, y, z]);
   const color = (c255: Vec3): Vec3 =>
     map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
-  const isSpot = light.aperture < 180 || light.cutoff >= LEAST_EXPONENT;
-  const along = normalize(turned(light.axis));
-  const axis = scale(along, Number(isSpot));
   return {
     positional,
     /** The unit vector to a directional light; zero if it has none. */
     place: !positional ? normalize(given) : ofCamera ? given : subtract(given, camera.eye),
-    axis,
+    axis: scale(
+      normalize(turned(light.axis)),
+      Number(light.aperture < 180 || light.cutoff >= LEAST_EXPONENT),
+    ),
     cosine: cosDegrees(light.aperture),
     sine: sinDegrees(light.aperture),
     /** Radians; at 180° no direction is compared. */

@@ -6,12 +6,13 @@ import {
   type InterleavedBufferAttribute,
   MirroredRepeatWrapping,
   NearestFilter,
+  RepeatWrapping,
   type Texture,
   type Wrapping,
 } from 'three';
 import type { BaseLook } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import type { CastMaterial, CastTexture, CastShape } from './cast-scene.js';
+import type { CastMaterial, CastTexture, CastShape, Wrap } from './cast-scene.js';
 
 /** What `images.ts` decodes. */
 export interface Pixels {
@@ -50,7 +51,7 @@ function makeShape(
     const { width, height, data } = texture.image as Pixels;
     const uv = uvs.push(coordinatesOf(geometry, texture)) - 1;
     const nearest = texture.magFilter === NearestFilter;
-    const [wrapS, wrapT] = [wrapOf(texture.wrapS), wrapOf(texture.wrapT)];
+    const [wrapS, wrapT] = [WRAPS[texture.wrapS], WRAPS[texture.wrapT]];
     return { [name]: { width, height, data, wrapS, wrapT, nearest, uv } satisfies CastTexture };
   };
   const look = {
@@ -82,8 +83,7 @@ type Attribute = BufferAttribute | InterleavedBufferAttribute;
 /** `size` numbers of each vertex; 1 for those that it has not. */
 function numbersOf(attribute: Attribute, size = attribute.itemSize): ArrayLike<number> {
   const { array, itemSize, count } = attribute;
-  const isPlain = !('data' in attribute) && array instanceof Float32Array;
-  if (isPlain && size === itemSize) return array;
+  if (!('data' in attribute) && array instanceof Float32Array && size === itemSize) return array;
   return Float64Array.from({ length: count * size }, (_, i) =>
     i % size < itemSize ? attribute.getComponent(Math.floor(i / size), i % size) : 1,
   );
@@ -108,9 +108,8 @@ function coordinatesOf({ attributes }: BufferGeometry, texture: Texture): Float6
   return moved;
 }
 
-const wrapOf = (wrapping: Wrapping): NonNullable<CastTexture['wrapS']> =>
-  wrapping === ClampToEdgeWrapping
-    ? 'clamp'
-    : wrapping === MirroredRepeatWrapping
-      ? 'mirror'
-      : 'repeat';
+const WRAPS = {
+  [ClampToEdgeWrapping]: 'clamp',
+  [MirroredRepeatWrapping]: 'mirror',
+  [RepeatWrapping]: 'repeat',
+} satisfies Record<Wrapping, Wrap>;

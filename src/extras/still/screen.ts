@@ -1,6 +1,6 @@
 // Pixels and directions of a picture's rays. Pixels count from the top left corner, with fractions.
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
-import { dot, type Vec3 } from '../../phong/math/vector.js';
+import { add, dot, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastCamera } from './cast-scene.js';
 
 export class Screen {
@@ -23,11 +23,7 @@ export class Screen {
     const { right, up, back } = this.camera;
     const across = ((2 * x) / this.width - 1) * this.slopeX;
     const upward = (1 - (2 * y) / this.height) * this.slopeY;
-    return [
-      right[0] * across + up[0] * upward - back[0],
-      right[1] * across + up[1] * upward - back[1],
-      right[2] * across + up[2] * upward - back[2],
-    ];
+    return subtract(add(scale(right, across), scale(up, upward)), back);
   }
 
   /** Where a place, as seen from the eye, is in the picture. */

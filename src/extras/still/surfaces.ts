@@ -1,6 +1,7 @@
 // What a surface is at a hit: its normal, its coefficients and its opacity, as phong.frag.glsl has
 // them.
-import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/index.js';
+import type { ReferenceOptions } from '../../phong/reference/index.js';
+import { coefficientsOf, decoded } from '../../phong/reference/equation.js';
 import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, cross, map, multiply, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
@@ -41,9 +42,8 @@ export class ObjectSurface extends PlacedShape {
     // lives, too, and `scale` makes those of each sample: 1,000 balls took 14 s so, and take 12 s.
     this.#kd = terms.includes('diffuse') ? [...kd] : BLACK;
     this.#ks = terms.includes('specular') ? ks : BLACK;
-    const decoded = (color: Vec3): Vec3 => (linear ? map(color, srgbDecode) : color);
-    this.#base = decoded(material.baseColor ?? WHITE);
-    this.#emissive = decoded(material.emissive ?? BLACK);
+    this.#base = decoded(material.baseColor ?? WHITE, linear);
+    this.#emissive = decoded(material.emissive ?? BLACK, linear);
     const { colors, linearColors = false } = shape;
     this.#colors =
       colors !== undefined && linear && !linearColors
@@ -74,10 +74,7 @@ export class ObjectSurface extends PlacedShape {
   at(hit: Hit) {
     const { material } = this.object;
     const { texture, metalRoughTexture, emissiveTexture } = material;
-    let base = this.#base;
-    if (texture !== undefined) {
-      base = this.#multiplied(base, texture, hit);
-    }
+    let base = this.#multiplied(this.#base, texture, hit);
     const colors = this.#colors;
     if (colors !== undefined) {
       const isEncoded = this.shape.linearColors === true && this.#decode === BYTES;
@@ -94,7 +91,6 @@ export class ObjectSurface extends PlacedShape {
         lobe = lobeScale(n);
       }
     }
-    const emissive = this.#emissive;
     return {
       base,
       ka: multiply(this.#ka, base),
@@ -104,8 +100,7 @@ export class ObjectSurface extends PlacedShape {
         this.#ks,
         map(base, (c) => (1 - m) * lobe + m * c),
       ),
-      emissive:
-        emissiveTexture === undefined ? emissive : this.#multiplied(emissive, emissiveTexture, hit),
+      emissive: this.#multiplied(this.#emissive, emissiveTexture, hit),
       n,
       alpha: material.alphaMode === 'blend' ? this.opacityAt(hit) : 1,
     };
@@ -143,7 +138,8 @@ export class ObjectSurface extends PlacedShape {
     return a * values[size * u + k]! + b * values[size * v + k]! + c * values[size * w + k]!;
   }
 
-  #multiplied(color: Vec3, texture: CastTexture, hit: Hit): Vec3 {
+  #multiplied(color: Vec3, texture: CastTexture | undefined, hit: Hit): Vec3 {
+    if (texture === undefined) return color;
     this.#read(texture, hit, this.#decode);
     return multiply(color, vectorAt(texel, 0));
   }

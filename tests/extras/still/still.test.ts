@@ -7,7 +7,7 @@ import { castSceneOf } from '../../../src/extras/still/build-scene.js';
 import { decodeImage } from '../../../src/extras/still/images.js';
 import { readMarkup } from '../../../src/extras/still/markup.js';
 import { checksum } from '../../../src/extras/png/chunks.js';
-import { patch } from '../../support/gltf.js';
+import { patch, type Texel } from '../../support/gltf.js';
 
 const SIZE = 21;
 const MIDDLE = 10;
@@ -27,6 +27,16 @@ const SUN = '<phong-light position="0 0 1 0" specular="0"></phong-light>';
 const front = (mesh: string, viewer = 'fov="1"', light = SUN) =>
   `<phong-viewer ${FRONT} ${viewer}>${light}${mesh}</phong-viewer>`;
 const WALL = '<phong-mesh geometry="plane" rotation="90 0 0"></phong-mesh>';
+
+/** A patch that shows a texture as it is. `use`: of the texture; `more`: of its material. */
+function textured(texels: readonly Texel[], use?: object, more?: object) {
+  const pbrMetallicRoughness = { baseColorTexture: { index: 0, ...use } };
+  const material = { extensions: { KHR_materials_unlit: {} }, pbrMetallicRoughness, ...more };
+  return patch({ material, textures: [texels] });
+}
+
+/** Black below, white above. */
+const FADE = 'data:,v -1 -1 0 0 0 0%0Av 1 -1 0 0 0 0%0Av 1 1 0 1 1 1%0Av -1 1 0 1 1 1%0Af 1 2 3 4';
 
 /** A white wall, and before it a black strip. */
 const STRIP = `<phong-mesh kd="255" src="data:,${encodeURIComponent(`
@@ -127,8 +137,7 @@ describe('a still', () => {
   });
 
   it('shows the head-light for its name', async () => {
-    const markup = `<phong-viewer ${FRONT} fov="1" view-light="head-light">${WALL}</phong-viewer>`;
-    const { middle, warnings } = await draw(markup);
+    const { middle, warnings } = await draw(front(WALL, 'fov="1" view-light="head-light"', ''));
     expect(warnings).toEqual([]);
     expect(middle).toEqual([255, 255, 255, 255]);
   });
@@ -150,20 +159,6 @@ describe('a still', () => {
     expect((await draw(front(red + blue))).middle).toEqual([159, 0, 96, 163]);
   });
 
-  it('reads the colour of a texel, and leaves out what a mask cuts away', async () => {
-    const texels = Array.from({ length: 4 }, () => [200, 100, 50, 255] as const);
-    const material = {
-      alphaMode: 'MASK',
-      extensions: { KHR_materials_unlit: {} },
-      pbrMetallicRoughness: { baseColorTexture: { index: 0 } },
-    };
-    const model = (list: readonly (readonly [number, number, number, number])[]) =>
-      front(`<phong-mesh src="${patch({ material, textures: [[...list]] })}"></phong-mesh>`);
-    expect((await draw(model(texels))).middle).toEqual([200, 100, 50, 255]);
-    const clear = texels.map(([r, g, b]) => [r, g, b, 100] as const);
-    expect((await draw(model(clear))).middle).toEqual([0, 0, 0, 0]);
-  });
-
   it.each([4000, 1])('refuses a PNG of 9 rows whose header says %i', async (height) => {
     const bytes = new Uint8Array(PNG.sync.write(new PNG({ width: 9, height: 9 })));
     const view = new DataView(bytes.buffer);
@@ -172,34 +167,69 @@ describe('a still', () => {
     await expect(decodeImage({ bytes, type: '' })).rejects.toThrow('is damaged');
   });
 
-  it.each([
-    ['PNG', [0x89, 0x50, 0x4e, 0x47]],
-    ['JPEG', [0xff, 0xd8, 0xff, 0xdb]],
-  ])('says in its own words that a %s is damaged', async (_, start) => {
-    const bytes = new Uint8Array(200);
-    bytes.set(start);
-    await expect(decodeImage({ bytes, type: '' })).rejects.toThrow(/^is damaged$/);
-  });
+  it.each(['\x89PNG', '\xff\xd8\xff\xdb'])(
+    'says in its own words that %j… is damaged',
+    async (start) => {
+      const bytes = Buffer.alloc(200);
+      bytes.write(start, 'latin1');
+      await expect(decodeImage({ bytes, type: '' })).rejects.toThrow(/^is damaged$/);
+    },
+  );
 
-  it('moves a texture as glTF says: first the scale, then the turn', async () => {
-    const texels = Array.from({ length: 16 }, (_, i) => [10 * i, 10 * i, 10 * i] as const);
-    // The middle, (0.5, 0.5), is scaled to (0.25, 0.5), turned to (0.5, -0.25), and moved to the
-    // middle of the third texel of the first row.
-    const transform = { scale: [0.5, 1], rotation: Math.PI / 2, offset: [0.125, 0.375] };
-    const baseColorTexture = { index: 0, extensions: { KHR_texture_transform: transform } };
-    const material = {
-      extensions: { KHR_materials_unlit: {} },
-      pbrMetallicRoughness: { baseColorTexture },
-    };
-    const mesh = `<phong-mesh src="${patch({ material, textures: [texels] })}"></phong-mesh>`;
-    expect((await draw(front(mesh))).middle).toEqual([20, 20, 20, 255]);
+  it.each([
+    ['a texel’s colour', textured([[200, 100, 50]]), '', [200, 100, 50, 255]],
+    [
+      'nothing that a mask cuts away',
+      textured([[200, 100, 50, 100]], {}, { alphaMode: 'MASK' }),
+      '',
+      [0, 0, 0, 0],
+    ],
+    [
+      // The middle, (0.5, 0.5), is scaled to (0.25, 0.5), turned to (0.5, -0.25), and moved to the
+      // middle of the third texel of the first row.
+      'a texture moved as glTF says: first the scale, then the turn',
+      textured(
+        Array.from({ length: 16 }, (_, i) => [10 * i, 10 * i, 10 * i] as const),
+        {
+          extensions: {
+            KHR_texture_transform: {
+              scale: [0.5, 1],
+              rotation: Math.PI / 2,
+              offset: [0.125, 0.375],
+            },
+          },
+        },
+      ),
+      '',
+      [20, 20, 20, 255],
+    ],
+    ['vertex colours mixed as they are stored', FADE, '', [128, 128, 128, 255]],
+    [
+      'vertex colours decoded under linear',
+      FADE,
+      'color-interpolation="linear"',
+      [188, 188, 188, 255],
+    ],
+    // Half red and half blue, times a base colour of 0.5 1 0.7354 as it is encoded. Beside the middle,
+    // green begins.
+    ['linear vertex colours, encoded after', fixture('vertex-colours.glb'), '', [94, 2, 138, 255]],
+    [
+      'linear vertex colours in linear',
+      fixture('vertex-colours.glb'),
+      'color-interpolation="linear"',
+      [92, 2, 137, 255],
+    ],
+  ])('has %s', async (_, src, viewer, expected) => {
+    const { middle } = await draw(
+      front(`<phong-mesh src="${src}" kd="255"></phong-mesh>`, `fov="1" ${viewer}`),
+    );
+    expect(middle).toEqual(expected);
   });
 
   it.each(['no-normals.glb', 'coloured.ply', 'coloured.stl', 'quads.obj'])(
     'reads %s',
     async (file) => {
-      const src = new URL(`../../fixtures/models/${file}`, import.meta.url).href;
-      const { pixels } = await draw(`<phong-viewer src="${src}"></phong-viewer>`);
+      const { pixels } = await draw(`<phong-viewer src="${fixture(file)}"></phong-viewer>`);
       expect(pixels.filter((value, i) => i % 4 === 3 && value === 255).length).toBeGreaterThan(50);
     },
   );

@@ -184,13 +184,14 @@ function styleOf(element: Element, rules: readonly Rule[]): string {
 
 /** From its style, else from its attributes. A viewer has a ratio of 2, as its style sheet says. */
 function sizeOf(element: Element, style: string): Size | null {
-  const width = pixels(declared(style, 'width')) ?? whole(attribute(element, 'width'));
+  const width =
+    numberIn(PIXELS, declared(style, 'width')) ?? numberIn(WHOLE, attribute(element, 'width'));
   const ratio = declared(style, 'aspect-ratio') ?? (element.tagName === 'phong-viewer' ? '2' : '');
   const [, across, down = '1'] = /^([\d.]+)\s*(?:\/\s*([\d.]+))?$/.exec(ratio) ?? [];
   const isFree = width !== null && across !== undefined && declared(style, 'height') === null;
   const height =
-    pixels(declared(style, 'height')) ??
-    whole(attribute(element, 'height')) ??
+    numberIn(PIXELS, declared(style, 'height')) ??
+    numberIn(WHOLE, attribute(element, 'height')) ??
     (isFree ? (width * Number(down)) / Number(across) : null);
   if (width === null || height === null) return null;
   const size = { width: Math.round(width), height: Math.round(height) };
@@ -209,11 +210,12 @@ function besidePanel(element: Element, size: Size | null): Size | null {
     : size;
 }
 
-const pixels = (value: string | null): number | null =>
-  value !== null && /^[\d.]+px$/i.test(value) ? Number(value.slice(0, -2)) : null;
+/** The number that a value of this form begins with. */
+const numberIn = (form: RegExp, value: string | null): number | null =>
+  value !== null && form.test(value) ? parseFloat(value) : null;
 
-const whole = (value: string | null): number | null =>
-  value !== null && /^\d+$/.test(value) ? Number(value) : null;
+const PIXELS = /^\d*\.?\d+px$/i;
+const WHOLE = /^\d+$/;
 
 /** The last value of a property in a style; null for none. */
 function declared(style: string, property: string): string | null {
