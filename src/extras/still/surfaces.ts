@@ -118,7 +118,11 @@ export class ObjectSurface extends PlacedShape {
       normal = scale(cross(subtract(q, p), subtract(r, p)), this.mirrored ? -1 : 1);
     } else {
       normal = mean(normals, at, hit);
-      if (normalTexture !== undefined && this.shape.tangents !== undefined) {
+      if (
+        shading !== 'gouraud' &&
+        normalTexture !== undefined &&
+        this.shape.tangents !== undefined
+      ) {
         this.#read(normalTexture, hit, BYTES);
         const tilt = map(vectorAt(texel, 0), (code) => code * 2 - 1);
         const tangents = this.verticesOf(hit.triangle).flatMap((vertex) => this.tangent(vertex));

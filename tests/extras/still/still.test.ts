@@ -203,6 +203,12 @@ describe('a still', () => {
       '',
       [20, 20, 20, 255],
     ],
+    [
+      'no normal maps under Gouraud shading, in no view',
+      patch({ material: { normalTexture: { index: 0 } }, textures: [[[255, 128, 128]]] }),
+      'shading="gouraud" view="normals"',
+      [128, 128, 255, 255],
+    ],
     ['vertex colours mixed as they are stored', FADE, '', [128, 128, 128, 255]],
     [
       'vertex colours decoded under linear',
