@@ -1,20 +1,24 @@
 // PNG and JPEG images by plain JavaScript; other formats are refused by name.
 import { Unzlib } from 'fflate';
+import type { PNGWithMetadata } from 'pngjs';
 import type { FileBytes } from '../models/model-reader.js';
-import { LIMITS } from '../../phong/model/limits.js';
+import { clamp } from '../../phong/math/vector.js';
 import { ModelError } from '../../phong/model/model.js';
 import type { Pixels } from './mesh-shape.js';
 import { IMAGE_SIDE_LIMIT } from '../models/limits.js';
 
 /** @throws ModelError for a format that is not read; Error for a broken file. */
 export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
-  const decode = isJpeg(bytes) ? decodeJpeg : decodePng;
+  if (TURNED.test(new TextDecoder('latin1').decode(bytes.subarray(0, 2 ** 16)))) {
+    throw new ModelError('bad-model', 'A still cannot turn an image, as its Exif data say.');
+  }
+  const decode = bytes[0] === 0xff ? decodeJpeg : decodePng;
   const decoded = await decode(bytes).catch((cause: unknown) => {
     // The decoders' own sentences are for programmers.
     throw cause instanceof ModelError ? cause : new Error('is damaged', { cause });
   });
   const { width, height, data } = decoded;
-  if (Math.max(width, height) > IMAGE_SIDE_LIMIT || width * height > LIMITS.imagePixels) {
+  if (Math.max(width, height) > IMAGE_SIDE_LIMIT) {
     throw new ModelError(
       'too-large',
       `A still cannot scale an image of ${String(width)} × ${String(height)} pixels down.`,
@@ -23,7 +27,8 @@ export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
   return { width, height, data, close: () => undefined };
 }
 
-const isJpeg = (bytes: Uint8Array): boolean => bytes[0] === 0xff && bytes[1] === 0xd8;
+/** Exif data before the pixels: an orientation from 2 to 8, in both orders of bytes. */
+const TURNED = /(\x12\x01\x03\0\x01\0\0\0|\x01\x12\0\x03\0\0\0\x01\0)[\x02-\x08]/;
 
 type Decoded = Omit<Pixels, 'close'>;
 
@@ -32,8 +37,22 @@ async function decodePng(bytes: Uint8Array): Promise<Decoded> {
     throw new ModelError('bad-model', 'A still reads images in PNG and JPEG, not in WebP.');
   }
   const { PNG } = await import('pngjs');
-  return PNG.sync.read(Buffer.from(wholePng(bytes)));
+  const image: PngImage = PNG.sync.read(Buffer.from(wholePng(bytes)));
+  const { data, depth, transColor } = image;
+  if (transColor === undefined) return image;
+  // pngjs makes the one transparent colour black, which shows where opacity does not count.
+  const most = (1 << depth) - 1;
+  const [red, green = red, blue = red] = transColor.map((c) => Math.round((255 * c) / most));
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] === 0) {
+      data.set([red!, green!, blue!], i);
+    }
+  }
+  return image;
 }
+
+/** `transColor`: the colour that is transparent, by the file's own depth. One number is a grey. */
+type PngImage = PNGWithMetadata & { readonly transColor?: readonly number[] };
 
 /** Bytes that are unpacked at a time: to 16 MB at most. */
 const SLICE = 2 ** 14;
@@ -67,31 +86,33 @@ function wholePng(bytes: Uint8Array): Uint8Array {
 const IEND = 0x49454e44;
 const IDAT = 0x49444154;
 
-async function decodeJpeg(bytes: Uint8Array): Promise<Decoded> {
+async function decodeJpeg(file: Uint8Array): Promise<Decoded> {
   const { default: jpeg } = await import('jpeg-js');
-  const options = { useTArray: true, maxResolutionInMP: 34, maxMemoryUsageInMB: 2048 } as const;
-  const [across, down] = chromaSteps(bytes);
-  if (across === 1 && down === 1) return jpeg.decode(bytes, options);
-  const plain = { ...options, colorTransform: false, formatAsRGBA: false };
-  const { width, height, data } = jpeg.decode(bytes, plain);
-  const rgba = new Uint8ClampedArray(4 * width * height);
+  const bytes = file.slice();
+  const { isYcc, across, down } = readFrame(bytes);
+  const { width, height, data } = jpeg.decode(bytes, {
+    useTArray: true,
+    maxResolutionInMP: 34,
+    maxMemoryUsageInMB: 2048,
+    colorTransform: false,
+    formatAsRGBA: !isYcc,
+  });
+  if (!isYcc) return { width, height, data };
   const chroma = (x: number, y: number, k: number): number => data[3 * (y * width + x) + k]!;
   /** Three quarters of the nearer sample and one of the farther, as browsers' libjpeg has it. */
   const smooth = (x: number, y: number, k: number): number => {
-    const [near, far] = across === 1 ? [x, x] : neighbours(x, width);
-    const [above, below] = down === 1 ? [y, y] : neighbours(y, height);
-    const column = (i: number): number => 3 * chroma(i, above, k) + chroma(i, below, k);
-    return ((3 * column(near) + column(far) + 8 - (x & 1)) >> 4) - 128;
+    const [beside, above] = [farther(x, width, across), farther(y, height, down)];
+    const column = (i: number): number => 3 * chroma(i, y, k) + chroma(i, above, k);
+    return ((3 * column(x) + column(beside) + 8 - (x & 1)) >> 4) - 128;
   };
+  const rgba = new Uint8ClampedArray(4 * width * height).fill(255);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const [luma, blue, red] = [chroma(x, y, 0), smooth(x, y, 1), smooth(x, y, 2)];
-      const green = (-22554 * blue - 46802 * red + 32768) >> 16;
       const color = [
         luma + ((91881 * red + 32768) >> 16),
-        luma + green,
+        luma + ((-22554 * blue - 46802 * red + 32768) >> 16),
         luma + ((116130 * blue + 32768) >> 16),
-        255,
       ];
       rgba.set(color, 4 * (y * width + x));
     }
@@ -99,26 +120,37 @@ async function decodeJpeg(bytes: Uint8Array): Promise<Decoded> {
   return { width, height, data: new Uint8Array(rgba.buffer) };
 }
 
-/** Where the nearer and the farther sample of a halved row are, in whole pixels. */
-function neighbours(at: number, size: number): readonly [number, number] {
-  const near = at - (at & 1);
-  const far = (at & 1) === 1 ? near + 2 : near - 2;
-  return [near, far < 0 || far >= size ? near : far];
-}
+/** A pixel of the farther sample, where each is of `step` pixels. Only halves are smoothed. */
+const farther = (at: number, size: number, step: number): number =>
+  clamp(step === 2 ? at - 1 + 2 * (at & 1) : at, 0, size - 1);
 
 /**
- * Pixels to a chroma sample across and down, 2 or 1: of three components, whose colours no Adobe
- * marker declares. 1 for all other files: their decoder's own colours.
+ * How browsers' libjpeg reads a file's colours: `isYcc` of three components that are not r, g and b;
+ * then `across` and `down` are the pixels to a sample of chroma. Takes from the Adobe marker that it
+ * is YCbCr: jpeg-js would convert by it, without smoothing.
  */
-function chromaSteps(bytes: Uint8Array): readonly [number, number] {
-  for (let at = 2; at + 17 < bytes.length; at += 2 + 256 * bytes[at + 2]! + bytes[at + 3]!) {
+function readFrame(bytes: Uint8Array) {
+  let transform: number | undefined; // 0: none, from r, g and b
+  for (let at = 2; at + 17 < bytes.length;) {
     const marker = bytes[at + 1]!;
-    if (marker === 0xee) return [1, 1];
-    if (marker < 0xc0 || marker > 0xc2) continue;
-    const [luma, blue, red] = [bytes[at + 11]!, bytes[at + 14]!, bytes[at + 17]!];
-    const isUsual = bytes[at + 9] === 3 && blue === 0x11 && red === 0x11;
-    const [across, down] = [luma >> 4, luma & 15];
-    return isUsual && across <= 2 && down <= 2 ? [across, down] : [1, 1];
+    const data = bytes.subarray(at + 4);
+    if (marker === 0xe0 && data[2] === 0x49) {
+      transform = 1; // JFIF has no other
+    }
+    if (marker === 0xee) {
+      transform ??= data[11]!;
+      data[11]! &= 2; // that of CMYK
+    }
+    if (marker >= 0xc0 && marker <= 0xc2 && data[0] === 8) {
+      const [luma, chroma] = [data[7]!, data[10]!];
+      return {
+        // Without a marker r, g and b are told by their names: the first is called "R".
+        isYcc: data[5] === 3 && (transform ?? data[6]! - 0x52) !== 0,
+        across: (luma >> 4) / (chroma >> 4),
+        down: (luma & 15) / (chroma & 15),
+      };
+    }
+    at += marker === 0xff ? 1 : 2 + 256 * bytes[at + 2]! + bytes[at + 3]!;
   }
-  return [1, 1];
+  throw new Error('no frame in 8 bits');
 }

@@ -1,4 +1,5 @@
 // What markup becomes: other shadings, views, models, files, and what is refused or warned of.
+import { readFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { still } from 'phong-viewer/still';
@@ -6,7 +7,7 @@ import { readPage } from '../../../src/extras/still/command/page.js';
 import { castSceneOf } from '../../../src/extras/still/build-scene.js';
 import { decodeImage } from '../../../src/extras/still/images.js';
 import { readMarkup } from '../../../src/extras/still/markup.js';
-import { checksum } from '../../../src/extras/png/chunks.js';
+import { checksum, chunk, joined } from '../../../src/extras/png/chunks.js';
 import { patch, type Texel } from '../../support/gltf.js';
 
 const SIZE = 21;
@@ -109,8 +110,12 @@ describe('a still', () => {
   });
 
   it('has the triangles’ own normals under flat shading', async () => {
-    const cylinder = '<phong-mesh geometry="cylinder" segments="4" shading="flat"></phong-mesh>';
-    const { at } = await draw(front(cylinder, 'fov="10"'));
+    const { at } = await draw(
+      front(
+        '<phong-mesh geometry="cylinder" segments="4" shading="flat"></phong-mesh>',
+        'fov="10"',
+      ),
+    );
     expect(at(MIDDLE + 4, MIDDLE)[0]).toBe(Math.round(200 * Math.SQRT1_2));
   });
 
@@ -122,9 +127,13 @@ describe('a still', () => {
     ['diffuse', [100, 100, 100]],
     ['ambient', [0, 0, 0]],
   ])('shows the view %s', async (view, [r, g, b]) => {
-    const lamp =
-      '<phong-light position="0 0 2" axis="1 0 0" cutoff="2" attenuation="1 0.4 0" diffuse="918"></phong-light>';
-    const { middle } = await draw(front(WALL, `fov="1" view="${view}"`, lamp));
+    const { middle } = await draw(
+      front(
+        WALL,
+        `fov="1" view="${view}"`,
+        '<phong-light position="0 0 2" axis="1 0 0" cutoff="2" attenuation="1 0.4 0" diffuse="918"></phong-light>',
+      ),
+    );
     expect(middle).toEqual([r, g, b, 255]);
   });
 
@@ -143,19 +152,15 @@ describe('a still', () => {
   });
 
   it('blends what a file declares translucent over what lies behind it', async () => {
-    const glass = (baseColorFactor: readonly number[], place: string) => {
-      const extensions = { KHR_materials_unlit: {} };
-      const pbrMetallicRoughness = { baseColorFactor };
-      const src = patch({ material: { alphaMode: 'BLEND', extensions, pbrMetallicRoughness } });
-      return `<phong-mesh src="${src}" ${place}></phong-mesh>`;
-    };
-    const red = glass([1, 0, 0, 0.4], 'position="0 0 1"');
+    const glass = (texel: Texel, place: string) =>
+      `<phong-mesh src="${textured([texel], {}, { alphaMode: 'BLEND' })}" ${place}></phong-mesh>`;
+    const red = glass([255, 0, 0, 102], 'position="0 0 1"');
     const { middle } = await draw(front(red + WALL));
     expect(middle).toEqual([Math.round(0.4 * 255 + 0.6 * 200), 120, 120, 255]);
     const { middle: alone } = await draw(front(red));
     expect(alone).toEqual([255, 0, 0, 102]);
     // Its origin is nearer than the red one's, and its surface farther away.
-    const blue = glass([0, 0, 1, 0.4], 'position="0 0 2" scale="1 1 -10"');
+    const blue = glass([0, 0, 255, 102], 'position="0 0 2" scale="1 1 -10"');
     expect((await draw(front(red + blue))).middle).toEqual([159, 0, 96, 163]);
   });
 
@@ -232,6 +237,40 @@ describe('a still', () => {
     expect(middle).toEqual(expected);
   });
 
+  it.each([
+    ['keeps the colour that a PNG declares transparent', 'tRNS', '\0\t\0\b\0\x07', '9,8,7,0'],
+    // An orientation of 6, in the order of bytes of "MM".
+    [
+      'refuses to turn an image',
+      'eXIf',
+      'MM\0*\0\0\0\b\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0',
+      'cannot turn',
+    ],
+  ])('%s', async (_, type, text, expected) => {
+    const image = new PNG({ width: 1, height: 1 });
+    image.data.set([9, 8, 7, 255]);
+    const file = PNG.sync.write(image, { colorType: 2 });
+    const bytes = joined([file.subarray(0, 33), chunk(type, Buffer.from(text)), file.subarray(33)]);
+    const found = await decodeImage({ bytes, type: '' }).then(({ data }) => data.join(), String);
+    expect(found).toContain(expected);
+  });
+
+  it('reads the colours of a JPEG by its markers, as browsers do', async () => {
+    const bytes = new Uint8Array(
+      readFileSync(
+        new URL('../../../demo/assets/models/real/spider/engineflare1.jpg', import.meta.url),
+      ),
+    );
+    const decode = async () => (await decodeImage({ bytes, type: '' })).data;
+    const given = await decode();
+    // Adobe's marker in place of JFIF's, for YCbCr.
+    bytes.set([0xee, 0, 16, ...Buffer.from('Adobe\0\0\0\0\0\0\x01')], 3);
+    expect(await decode()).toEqual(given);
+    // For r, g and b: where there is no chroma, the last two are half-way.
+    bytes[17] = 0;
+    expect((await decode()).subarray(0, 3).join()).toBe('7,128,128');
+  });
+
   it.each(['no-normals.glb', 'coloured.ply', 'coloured.stl', 'quads.obj'])(
     'reads %s',
     async (file) => {
@@ -281,9 +320,10 @@ describe('values in a still’s markup', () => {
     ['hwb(120 20% 40%)', [51, 153, 51]],
     ['100 50 25', [100, 50, 25]],
   ])('may be the colour %s', async (color, expected) => {
-    const light = `<phong-light position="0 0 1 0" specular="0" diffuse="${color}"></phong-light>`;
-    const mesh = '<phong-mesh geometry="plane" rotation="90 0 0" kd="255"></phong-mesh>';
-    const { middle, warnings } = await draw(front(mesh, 'fov="1"', light));
+    const light = SUN.replace('>', ` diffuse="${color}">`);
+    const { middle, warnings } = await draw(
+      front(WALL.replace('>', ' kd="255">'), undefined, light),
+    );
     expect(warnings).toEqual([]);
     expect(middle).toEqual([...expected, 255]);
   });
@@ -371,9 +411,7 @@ describe('values in a still’s markup', () => {
   });
 
   it('need no end tags, as in a browser', async () => {
-    const { middle } = await draw(
-      `<phong-viewer ${FRONT} fov="1">${SUN}${WALL.replace('</phong-mesh>', '')}`,
-    );
+    const { middle } = await draw(front(WALL).replace('</phong-mesh></phong-viewer>', ''));
     expect(middle).toEqual([200, 200, 200, 255]);
   });
 });
