@@ -25,9 +25,12 @@ interface Place extends Point {
 /** Moves the points of all probes that follow a viewer. Dispatched at its surface. */
 const STEP = 'probe-step';
 
+/** Where it lies follows the picture, which keeps its shape where paper gives it another box. */
 const RING = `.pointed {
   position: absolute;
-  inset: -7px auto auto -7px;
+  left: calc(100% * var(--x));
+  top: calc(100% * var(--y));
+  margin: -7px;
   box-sizing: border-box;
   width: 14px;
   height: 14px;
@@ -44,6 +47,15 @@ const RING = `.pointed {
 }
 .pointed[hidden] {
   display: none;
+}
+@media print {
+  .layer:has(> .pointed) {
+    container-type: size;
+  }
+  .pointed {
+    left: calc(50% + (var(--x) - 0.5) * min(100cqw, 100cqh * var(--shape)));
+    top: calc(50% + (var(--y) - 0.5) * min(100cqh, 100cqw / var(--shape)));
+  }
 }`;
 
 export class FollowedPoint {
@@ -309,11 +321,9 @@ export class FollowedPoint {
 
   #mark(): void {
     const { fragment } = this;
-    const at =
-      fragment === null || fragment === undefined || this.#viewer.probe
-        ? null
-        : this.#placeOf(fragment.p);
+    const at = fragment && !this.#viewer.probe ? this.#placeOf(fragment.p) : null;
     const { texts } = this.#viewer;
+    const { width, height } = this.#size;
     const isFirst = this.#ring.parentElement!.querySelector('[class=pointed]') === this.#ring;
     Object.assign(this.#ring, {
       hidden: at === null,
@@ -323,6 +333,7 @@ export class FollowedPoint {
       ariaRoleDescription: phrase(texts, 'cross-hair'),
       ariaDescription: phrase(texts, KEYS),
     });
-    this.#ring.style.translate = at === null ? '' : `${at.x.toFixed(1)}px ${at.y.toFixed(1)}px`;
+    this.#ring.style.cssText =
+      at === null ? '' : `--x: ${at.x / width}; --y: ${at.y / height}; --shape: ${width / height}`;
   }
 }

@@ -85,7 +85,7 @@ function marksOverPictures(classNames: readonly string[]) {
       const box = canvas.getBoundingClientRect();
       const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
       for (const mark of shadowRoot!.querySelectorAll(
-        ':is(.helpers, .probe) > svg :is(circle, text)',
+        ':is(.helpers, .probe) > svg :is(circle, text), .pointed',
       )) {
         const place = mark.getBoundingClientRect();
         const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
@@ -103,18 +103,23 @@ function marksOverPictures(classNames: readonly string[]) {
   });
 }
 
-test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
+test('paper of another width keeps N at its foot, and lights, axes and rings at their places', async ({
   mount,
   page,
 }) => {
   const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
   const viewer = (attributes: string) =>
     `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;
-  await mount(viewer('gui') + viewer('view="diffuse"'), {
-    css: `phong-viewer { width: 100% !important; height: 360px !important } .paper { width: 520px }
+  await mount(
+    viewer('gui') +
+      viewer('view="diffuse"') +
+      '<phong-viewer id="v" geometry="sphere"></phong-viewer><phong-probe for="v" at="0 0 0.5"></phong-probe>',
+    {
+      css: `phong-viewer { width: 100% !important; height: 360px !important } .paper { width: 520px }
       :root { color-scheme: dark }`,
-  });
-  await expect(page.locator('.box')).toHaveCount(2);
+    },
+  );
+  await expect(page.locator('.box, .pointed:not([hidden])')).toHaveCount(3);
   await expect(page.locator('.legend')).toHaveCount(1);
   await page.emulateMedia({ media: 'print' });
   const [screen, paper] = await page.evaluate(marksOverPictures, ['', 'paper']);
