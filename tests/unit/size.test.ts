@@ -50,7 +50,7 @@ it.each([
   ['src/extras/frameworks', 1_070],
   ['src/extras/exercise', 10_740],
   ['src/extras/diagnosis', 2_280],
-  ['tests', 493_860],
+  ['tests', 493_840],
 ])('%s has no more tokens than its budget', (folder, most) => {
   const tokens = tokensBelow(folder);
   expect(tokens).toBeLessThanOrEqual(most);

@@ -114,10 +114,6 @@ test('an OBJ file shows the coefficients of its MTL file, and its texture the ri
   expectNear(await colorAt(viewer, 0.75, -0.25), [188, 64, 20], 8);
   await set(viewer, { terms: 'diffuse' });
   expectNear(await colorAt(viewer, -0.5, 0), [204, 102, 51]);
-  await set(viewer, { terms: 'specular' });
-  const [red = 0, green = 0, blue = 0] = await colorAt(viewer, -0.1, 0);
-  expectNear([red], [127], 3); // R·V is nearly 1 there
-  expectNear([green * 2, blue * 4], [red, red], 4);
   await set(viewer, { terms: 'diffuse', kd: '255 0 0' });
   expectNear(await colorAt(viewer, -0.5, 0), [255, 0, 0]);
 });
@@ -220,7 +216,6 @@ test.describe('a droppable viewer', () => {
       type: 'load',
       detail: { url: 'file:///quads.obj', missing: ['beside/textures/four colours.png'] },
     });
-    await expect(viewer).toHaveJSProperty('loaded', true);
   });
 
   test('names a broken file in a message until its button, Escape or the next file', async ({

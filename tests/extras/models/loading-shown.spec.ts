@@ -324,7 +324,7 @@ test('the button of the message repeats what failed, and keeps the focus', async
   await expect(viewer).toBeFocused();
 });
 
-test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the panel', async ({
+test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the panel’s signs', async ({
   page,
   mount,
 }) => {
@@ -338,8 +338,6 @@ test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the pan
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
   const arrived = (await viewer.locator('.arrived').boundingBox())!;
   expect([arrived.x, arrived.width]).toEqual([300, 300]);
-  const panel = (await viewer.locator('.lil-root').boundingBox())!;
-  expect(panel.x).toBeLessThan(20);
   const title = viewer.locator('.lil-title', { hasText: 'Camera' });
   expect(await title.evaluate((part) => getComputedStyle(part, '::before').scale)).toBe('-1 1');
   await title.click();

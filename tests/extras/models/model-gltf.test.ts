@@ -1,6 +1,7 @@
 // Is what a glTF document says shown, whatever combination says it: quantised, interleaved, shared,
 // skinned, in strips, with moved textures, instances, hidden nodes, missing normals, mirrored
 // joints? And is what is left out named?
+import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
@@ -432,6 +433,15 @@ function facing(model: Content) {
   const edge = (to: number, k: number) => positions[to * 3 + k]! - positions[a * 3 + k]!;
   return edge(b, 0) * edge(c, 1) - edge(b, 1) * edge(c, 0);
 }
+
+it('up to eight joints move a vertex', async () => {
+  const document = readFileSync('tests/fixtures/cases/gltf/skin-8-influences.gltf', 'utf8');
+  const url = new URL(`data:model/gltf+json,${encodeURIComponent(document)}`);
+  const model = await modelContent(url, OPTIONS);
+  const places = numbersOf(model, 'position');
+  places.forEach((x, i) => expect(Math.abs(x)).toBeCloseTo(i % 3 === 2 ? 0 : 1, 5));
+  expect([...(model.dropped ?? [])]).toEqual([]);
+});
 
 describe('mirrored joints', () => {
   const mirror = { scale: [-1, 1, 1] };

@@ -98,9 +98,21 @@ const one = (
 
 const even = (x: number): Vec3 => [x, x, x];
 
+it('has no highlight by Blinn where light and eye are exactly opposite, whatever the normal', () => {
+  for (let i = 1; i <= 100; i++) {
+    const fragment = { normal: [i, 1, 7] as const, eye: [-4, 0, 0] as const };
+    const { specular, NoL } = one(
+      { position: [2, 0, 0, 1] },
+      fragment,
+      {},
+      { reflection: 'blinn-phong' },
+    );
+    expect([...specular, NoL > 0]).toEqual([0, 0, 0, true]);
+  }
+});
+
 it('the distance of a light is Infinity without a place', () => {
   expect(one({ position: [0, 0, 3, 0] }).d).toBe(Infinity);
-  expect(one({ position: [0, 0, 2, 1] }).d).toBe(2);
 });
 
 it('a metal loses diffuse light and reflects its base colour; an unlit surface has that alone', () => {
@@ -125,11 +137,8 @@ it.each([0, 9.9e-7, 1e-6, 1e6])('exponent %d turns base 0 into 1 only below 1e-6
   expect(one({ position: [0, 0, 2, 1], axis: [0, 0, 1], cutoff: n }).decay).toBe(power);
 });
 
-it.each([
-  [9.9e-16, 0],
-  [1e-15, 1],
-])('a light %d from the fragment is not at it from 1e-15 on: N·L is %d', (z, NoL) => {
-  expect(one({ position: [0, 0, z, 1] }).NoL).toBe(NoL);
+it('a light 1e-15 from the fragment has a direction', () => {
+  expect(one({ position: [0, 0, 1e-15, 1] }).NoL).toBe(1);
 });
 
 it.each([
