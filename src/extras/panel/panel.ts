@@ -11,7 +11,7 @@ import { explain, label, relabel } from './label.js';
 import { LIGHTS, newLight } from './light-rows.js';
 import { MESHES } from './mesh-rows.js';
 import panelStyles from './panel.css?inline';
-import { addButton, rowsIn } from './rows.js';
+import { addButton, rowsIn, type ViewerFolder } from './rows.js';
 import { SceneRange } from './travel.js';
 import { addUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
@@ -104,7 +104,7 @@ function addFolders(
   open: readonly GuiFolder[],
 ): Content {
   const stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
-  const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material') =>
+  const folderOf = (title: ViewerFolder) =>
     new Folder(
       gui,
       title,

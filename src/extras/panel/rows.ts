@@ -60,6 +60,9 @@ export const declared = (element: Editable, key: string): Source => ({
   set: (value) => Reflect.set(element, key, value),
 });
 
+/** The folders of the viewer's own rows. A row of the viewer in none of them is not shown. */
+export type ViewerFolder = 'Camera' | 'Shading' | 'Show' | 'Material';
+
 export interface Row<T, E> {
   /** The row's name, where it has one. */
   readonly label?: ViewerText;
@@ -72,8 +75,7 @@ export interface Row<T, E> {
    * has the focus.
    */
   readonly shown?: (element: E) => boolean;
-  /** The folder of the row, where an element has several. */
-  readonly folder?: ViewerText;
+  readonly folder?: ViewerFolder;
 }
 
 export const NO_ROW = null;
@@ -90,12 +92,12 @@ export type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
 export type Rows<E> = Readonly<Record<string, AnyRow<E> | typeof NO_ROW>>;
 
 /** The same rows, in the folder of that name. */
-export const inFolder = <R extends Rows<never>>(folder: ViewerText, rows: R): R =>
+export const inFolder = <R extends Rows<never>>(folder: ViewerFolder, rows: R): R =>
   Object.fromEntries(
     Object.entries(rows).map(([key, row]) => [key, row && { ...row, folder }]),
   ) as R;
 
-export const rowsIn = <E>(folder: ViewerText, rows: Rows<E>): Rows<E> =>
+export const rowsIn = <E>(folder: ViewerFolder, rows: Rows<E>): Rows<E> =>
   Object.fromEntries(Object.entries(rows).filter(([, row]) => row?.folder === folder));
 
 export interface AddedRow<E> {
@@ -243,7 +245,7 @@ export const oneOf = <T extends ViewerText | null>(
 ): Row<T, unknown> => ({
   label,
   add: (gui, _, value) => {
-    const textOf = (word: T, say: Say): string => say(word ?? 'as viewer');
+    const textOf = (word: T, say: Say) => say(word ?? 'as viewer');
     const control = addSelect(gui, value, label, () => words, textOf);
     if (hint !== undefined) {
       explain(control.domElement, hint);
@@ -259,7 +261,7 @@ export const oneName = <E>(
 ): Row<string, E> => ({
   label,
   add: (gui, { element }, value) => {
-    const valuesNow = (): readonly string[] => values(element);
+    const valuesNow = () => values(element);
     addSelect(gui, value, label, valuesNow, (name, say) => textOf(name, element, say));
   },
 });
