@@ -106,7 +106,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return this.viewerById(this.values.for);
   }
 
-  readonly #say = (text: string, values: Fault['values'] = {}): string => {
+  readonly #say = (text: string, values: Fault['values'] = {}) => {
     const texts = this.textsOf(this.#followed);
     const words = Object.entries(values).map(([key, value]) => [
       key,
@@ -116,7 +116,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   };
 
   /** What was written stays. */
-  #stop(): void {
+  #stop() {
     this.#running?.abort('stopped');
     this.#running = null;
   }
@@ -131,7 +131,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   /** With `scene`: the picture under a lamp of the sheet. */
-  async #run(scene: SceneName | null = null): Promise<void> {
+  async #run(scene: SceneName | null = null) {
     if (this.#running !== null) return;
     const running = new AbortController();
     this.#running = running;
@@ -189,7 +189,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     return this.#shown;
   }
 
-  #render(): void {
+  #render() {
     const { value } = this;
     const written = this.#written ?? '';
     render(this.#template(value), this.root);

@@ -185,7 +185,7 @@ function counterFor(
   const has = (word: RegExp) => tokens.some(({ text }) => word.test(text));
   const weight = has(/^mat\d/) ? MATRIX : has(/^for$/) ? REPEATED : 1;
   let code = 0;
-  const read = (part: readonly Token[], inside: readonly Definition[]): void => {
+  const read = (part: readonly Token[], inside: readonly Definition[]) => {
     for (const [i, { text, line }] of part.entries()) {
       code += text === 'pow' ? MATRIX * weight : weight;
       if (code > MOST_CODE) throw refused(TOO_MUCH, line);
@@ -210,7 +210,7 @@ function counterFor(
 }
 
 /** A block in brackets could hide a function from the count. */
-function match(tokens: readonly Token[]): void {
+function match(tokens: readonly Token[]) {
   const open: Token[] = [];
   for (const token of tokens) {
     const { text, line } = token;

@@ -29,11 +29,11 @@ const VERTEX = `void main() {
 const WIDTH = 64;
 
 /**
- * What a learner's text stands behind. The guard puts `exerciseStop` into each turn of a loop. The
- * power of a negative number is undefined in GLSL, and some drivers give that of its amount: here it
- * is not a number. Nor is 0 to the power of 0 defined, as where a lamp has no cutoff: here it is 1, as
- * in the equation. Words of less precision mean half floats on phones, where these would make a
- * right function wrong. The learner's lines are those of the source with number 1.
+ * The GLSL before a learner's text. Errors give the text's own lines, as source 1. The guard puts `exerciseStop`
+ * into each turn of a loop. GLSL leaves the power of a negative number undefined, and some drivers
+ * give that of its absolute value: here it is NaN. 0 to the power of 0, as for a lamp without cutoff,
+ * is undefined too: here it is 1, as in the equation. `mediump` and `lowp` would be half floats on
+ * phones, which make a right function wrong.
  */
 const PRELUDE = `precision highp float;
 precision highp int;
@@ -134,26 +134,49 @@ export async function run(
   throw refused('The graphics driver has stopped. The next run starts anew.');
 }
 
-/** The triangle over all pixels. Its uniform says how much the loops at a pixel may do. */
-function triangleOf(glsl: string, data: DataTexture) {
+/**
+ * A renderer of one triangle over all pixels, by the learner's function, and what it draws to. The
+ * uniform `exerciseMost` limits what the loops at a pixel may do. Throws {@link Refused} where the
+ * program does not compile.
+ */
+function rendererOf(
+  context: WebGL2RenderingContext,
+  glsl: string,
+  data: DataTexture,
+  lines: number,
+) {
   const geometry = new BufferGeometry();
   geometry.setDrawRange(0, 3);
   // Without prototypes: three.js would use what a page added to Object.prototype.
   Object.setPrototypeOf(geometry.attributes, null);
+  // A function's parameters have the qualifiers of its prototype.
+  const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
   const uniforms = { exerciseData: { value: data }, exerciseMost: { value: 0 } };
   const material = new RawShaderMaterial({
     glslVersion: GLSL3,
     defines: Object.create(null) as Record<string, string>,
     vertexShader: VERTEX,
-    fragmentShader: PRELUDE + glsl,
+    fragmentShader: PRELUDE + own,
     uniforms,
   });
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
-  return { mesh, uniforms };
+  const target = new WebGLRenderTarget(WIDTH, lines, {
+    format: RGBAIntegerFormat,
+    type: UnsignedIntType,
+    depthBuffer: false,
+  });
+  target.scissorTest = true;
+  // Without the canvas three.js does not hear of a lost context, which it would log and restore.
+  const renderer = new WebGLRenderer({ context });
+  // three.js would log what a driver remarks on a right program.
+  renderer.debug.checkShaderErrors = false;
+  renderer.compile(mesh, camera);
+  requireLinked(context, renderer, own);
+  return { renderer, mesh, target, uniforms };
 }
 
-/** Tile by tile. */
+/** The colours of {@link run}, drawn in tiles because a frame that runs cannot be stopped. */
 async function draw(
   context: WebGL2RenderingContext,
   glsl: string,
@@ -165,30 +188,16 @@ async function draw(
   const across = 6 * WIDTH;
   const data = new DataTexture(texels, across, texels.length / 4 / across, RGBAFormat, FloatType);
   data.needsUpdate = true;
-  const target = new WebGLRenderTarget(WIDTH, lines, {
-    format: RGBAIntegerFormat,
-    type: UnsignedIntType,
-    depthBuffer: false,
-  });
-  target.scissorTest = true;
-  // A function's parameters have the qualifiers of its prototype.
-  const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) => head.replace(/\bconst\b/g, ''));
-  // With a canvas of its own three.js hears of no loss: it would say so, and restore the context.
-  const renderer = new WebGLRenderer({ context });
-  // three.js would write what a driver remarks on a right program to the console.
-  renderer.debug.checkShaderErrors = false;
-  const { mesh, uniforms } = triangleOf(own, data);
-  renderer.compile(mesh, camera);
-  requireLinked(context, renderer, own);
+  const { renderer, mesh, target, uniforms } = rendererOf(context, glsl, data, lines);
   const colors = new Float32Array(3 * cases.length).fill(NaN);
   let at = 0;
-  // Pixels of the next tile, and at most: fewer once a tile was too much work.
+  // Pixels of the next tile, and their upper bound: a fourth of a tile that was too much work.
   let count = FEWEST;
   let most = WIDTH ** 2;
   let spent = 0;
   let least = QUICK;
   while (at < cases.length) {
-    // Its timers wait for a second, so that drawing would seem slow.
+    // Timers of a hidden page wait for up to a second, and drawing would seem slow.
     if (document.hidden) {
       await new Promise((resolve) =>
         document.addEventListener('visibilitychange', resolve, { once: true }),
@@ -208,10 +217,11 @@ async function draw(
     renderer.render(mesh, camera);
     await drawn(context);
     const bits = new Uint32Array(4 * width * height);
-    // three.js reads only what a driver likes best; these every WebGL 2 gives.
+    // three.js reads only the driver's preferred format. Every WebGL 2 can read this one.
     context.readPixels(x, y, width, height, context.RGBA_INTEGER, context.UNSIGNED_INT, bits);
     const took = performance.now() - start;
-    // What a frame takes without its pixels. Drivers finish a program in its first one.
+    // What a frame takes apart from its pixels. The first one is not counted: in it drivers finish
+    // compiling.
     least = Math.min(least, took);
     spent += at === 0 ? 0 : took - least;
     const floats = new Float32Array(bits.buffer);
@@ -222,7 +232,7 @@ async function draw(
         most = count / 4;
         break;
       }
-      // Where the function has discarded the pixel nothing is written.
+      // -1: the function has discarded the pixel, and nothing was written.
       if (line === 0) {
         colors.set(floats.subarray(i, i + 3), 3 * at);
       }
@@ -238,7 +248,7 @@ const camera = new Camera();
  * The page goes on while the GPU draws. Rejects where the context is lost; three.js's own wait would
  * not end then.
  */
-async function drawn(gl: WebGL2RenderingContext): Promise<void> {
+async function drawn(gl: WebGL2RenderingContext) {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();
   do {
@@ -247,7 +257,7 @@ async function drawn(gl: WebGL2RenderingContext): Promise<void> {
 }
 
 /** Throws {@link Refused} with what the compiler has against the program, by the learner's lines. */
-function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer, glsl: string): void {
+function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer, glsl: string) {
   const [built] = info.programs!;
   const program = built!.program as WebGLProgram;
   if (gl.getProgramParameter(program, gl.LINK_STATUS) !== false) return;
@@ -280,7 +290,7 @@ const OTHER_SHADE =
   'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
 /** What a lamp's texels hold, in the order of the struct. */
-const LAMP = [
+export const LAMP = [
   'ambient',
   'diffuse',
   'specular',

@@ -1,8 +1,9 @@
 // Are hostile and broken sources refused before anything is compiled, and all others let through?
 import { expect, it } from 'vitest';
 import { guarded, Refused } from '../../../src/extras/exercise/guard.js';
-import { GIVEN_GLSL } from '../../../src/extras/exercise/solution.js';
-import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
+import { LAMP } from '../../../src/extras/exercise/program.js';
+import { GIVEN_GLSL, solutionFor } from '../../../src/extras/exercise/solution.js';
+import { KINDS, LIGHT_FIELDS, TERMS } from '../../../src/phong/light/light-state.js';
 import {
   REFUSED_ONES,
   RIGHT,
@@ -29,12 +30,15 @@ it.each(Object.entries(REFUSED_ONES))('is refused with its reason: %s', (_, [sou
   expect(text.replace(/\{(\w+)\}/g, (_all, key) => String(values[key]))).toContain(reason);
 });
 
-it('the function gets every value of a light that enters the equation', () => {
+it('the function gets every value of a light that enters the equation, and the exact one reads it', () => {
   const struct = /struct Light \{[^}]*/.exec(GIVEN_GLSL)?.[0] ?? '';
-  const values = Object.entries(LIGHT_FIELDS).filter(
-    ([, { shading }]) => typeof shading === 'object',
+  expect(Array.from(struct.matchAll(/\w+(?=[,;])/g), String)).toEqual([...LAMP]);
+  const exact = solutionFor({ terms: TERMS, kinds: KINDS, reflection: 'phong' });
+  const missing = Object.entries(LIGHT_FIELDS).filter(
+    ([key, { shading }]) =>
+      typeof shading === 'object' && !(struct.includes(key) && exact.includes(`light.${key}`)),
   );
-  expect(values.map(([key]) => key).filter((key) => !struct.includes(key))).toEqual([]);
+  expect(missing).toEqual([]);
 });
 
 /** With what the compiler knows, and the guard does not. */
