@@ -8,6 +8,7 @@ import { castSceneOf } from '../../../src/extras/still/build-scene.js';
 import { decodeImage } from '../../../src/extras/still/images.js';
 import { readMarkup } from '../../../src/extras/still/markup.js';
 import { checksum, chunk, joined } from '../../../src/extras/png/chunks.js';
+import type { Quantity } from '../../../src/phong/material/view/view-table.js';
 import { patch, type Texel } from '../../support/gltf.js';
 
 const SIZE = 21;
@@ -119,14 +120,18 @@ describe('a still', () => {
     expect(at(MIDDLE + 4, MIDDLE)[0]).toBe(Math.round(200 * Math.SQRT1_2));
   });
 
-  it.each([
-    ['normals', [128, 128, 255]],
-    ['n-dot-l', [255, 255, 255]],
-    ['attenuation', [142, 142, 142]],
-    ['decay', [64, 64, 64]],
-    ['diffuse', [100, 100, 100]],
-    ['ambient', [0, 0, 0]],
-  ])('shows the view %s', async (view, [r, g, b]) => {
+  const grey = (n: number) => [n, n, n];
+  const ofViews = {
+    normals: [128, 128, 255],
+    'n-dot-l': grey(255),
+    'r-dot-v': grey(255),
+    attenuation: grey(142),
+    decay: grey(64),
+    diffuse: grey(100),
+    ambient: grey(0),
+  } satisfies Record<Quantity | 'diffuse' | 'ambient', number[]>;
+
+  it.each(Object.entries(ofViews))('shows the view %s', async (view, color) => {
     const { middle } = await draw(
       front(
         WALL,
@@ -134,7 +139,7 @@ describe('a still', () => {
         '<phong-light position="0 0 2" axis="1 0 0" cutoff="2" attenuation="1 0.4 0" diffuse="918"></phong-light>',
       ),
     );
-    expect(middle).toEqual([r, g, b, 255]);
+    expect(middle).toEqual([...color, 255]);
   });
 
   it('shows nothing lit for a light that view-light names in vain, and says so', async () => {
