@@ -140,8 +140,9 @@ export class OrbitInput {
     }
     // Only a second finger joins a drag; a mouse does not join a pen. With `orbit` off, one finger
     // waits for a pinch.
-    if (touch ? this.#gesture.active && !this.#touching : this.#gesture.active || !orbit) return;
     const begins = !this.#gesture.active;
+    const isAllowed = touch ? begins || this.#touching : begins && orbit;
+    if (!isAllowed) return;
     const kind = event.button === SECONDARY || event.shiftKey ? 'shift' : 'turn';
     if (!this.#gesture.press(event.pointerId, event.clientX, event.clientY, kind)) return;
     this.#button = event.button;

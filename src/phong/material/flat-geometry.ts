@@ -39,7 +39,7 @@ function disposeFlat({ target }: { readonly target: BufferGeometry }): void {
   made.get(target)?.dispose();
 }
 
-/** Some attributes of the triangles that {@link flatGeometry} shows, and their normals. */
+/** The attributes of these names, with three vertices a triangle, and its unit normal at each. */
 export function separateTriangles(
   { attributes, index }: BufferGeometry,
   names: readonly string[],
@@ -66,7 +66,8 @@ export function separateTriangles(
   const positions = flat.getAttribute('position').array;
   const normals = new Float32Array(positions.length);
   writeFaceNormals(positions, normals, 0, Math.floor(positions.length / 9));
-  flat.userData['order'] = index?.version; // of its corners
+  // Another version may list the corners in another order: see extras/models/mesh-animation.ts.
+  flat.userData['order'] = index?.version;
   return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 

@@ -30,7 +30,7 @@ export class LightBuffer {
    * Whose texture it is. three.js replaces a renderer's properties when a lost context is restored.
    */
   #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
-  /** Rows that changed since they were sent to the texture: from, and up to but without. */
+  /** Rows that changed since they were sent to the texture; `to` is exclusive. */
   #stale = { from: 0, to: 0 };
 
   /** 1 / the texture's width and height. */
@@ -51,7 +51,10 @@ export class LightBuffer {
     return this.#rows;
   }
 
-  /** The packed lights were written. Cheap where no number differs. */
+  /**
+   * Call after {@link packed} was written: copies what differs and marks its rows as stale. Cheap
+   * where no number differs.
+   */
   changed(): void {
     const { data, rows } = this.packed;
     if (rows * 4 > this.#data.length) {

@@ -80,7 +80,7 @@ interface MaterialValues {
 
 export interface GltfMaterial extends JsonObject {
   readonly uses: readonly TextureUse[];
-  /** Sets of texture coordinates that take the places of others, by these. */
+  /** Sets of texture coordinates that were moved to an unused place, by that place. */
   readonly uvSets: ReadonlyMap<number, number>;
 }
 
@@ -153,8 +153,8 @@ const NOT_SHOWN = [
 ];
 
 /**
- * Gives the uses of sets above the fourth one of the first four that the material does not use.
- * Which sets have moved, by the places that they have moved to: four uses need no more than four.
+ * Moves sets of texture coordinates above the fourth to places among the first four that the
+ * material does not use; four uses need no more. Returns the moved sets by their new places.
  */
 function movedUvSets(uses: readonly TextureUse[]): ReadonlyMap<number, number> {
   const used = new Set(uses.map(({ texCoord }) => texCoord));

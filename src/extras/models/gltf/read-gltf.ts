@@ -162,7 +162,7 @@ async function collectParts(
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
   for (const map of parts.flatMap(({ look }) => mapsOfLook(look))) {
-    map.colorSpace = NoColorSpace; // the loader says what it expects
+    map.colorSpace = NoColorSpace; // GLTFLoader's would make the GPU decode it in srgb shading too
     if (map.matrixAutoUpdate) {
       map.updateMatrix();
     }

@@ -264,7 +264,7 @@ function takeOptions(text: string, options: Options): string {
 
 const finite = (value: number, fallback: number) => (Number.isFinite(value) ? value : fallback);
 
-/** @param full what Ka, Kd and Ks have at full intensity. */
+/** @param full the value of Ka, Kd and Ks that stands for full intensity: 1, or 255 in some files. */
 function finished({ colors, maps, shininess, opacity, leftOut }: Draft, full = 1): MtlMaterial {
   const map = maps.map_kd ?? null;
   const keMap = maps.map_ke ?? null;

@@ -235,7 +235,7 @@ class Fan {
  */
 async function cornersByVertex(lists: CornerLists, slices: Slices) {
   const { corners, cornerNormals, places } = lists;
-  // Every corner gets an item, to be overwritten.
+  // So that every corner has an entry that can be overwritten.
   cornerNormals.fillTo(corners.length, NONE);
   const count = corners.length;
   const [vertices, normals] = [corners.array, cornerNormals.array];

@@ -1,5 +1,5 @@
-// Leaves out what faces refer to and is not there, and turns around corners that run against their
-// normals.
+// Drops faces and references to data that the file lacks, and reverses faces whose winding
+// contradicts their normals.
 import type { LeftOut } from '../left-out.js';
 import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
@@ -7,10 +7,10 @@ import { type CornerLists, itemAt, NONE, NOT_THERE, setItem } from './corner-lis
 import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
- * Marks all corners of a face with a vertex that is missing or no number as {@link NOT_THERE}.
- * Texture coordinates that are missing, and normals that are missing or have no direction, become
- * {@link NONE}. OBJ and PLY have no rule of winding, so that the normals tell which side is
- * outside: where they point the other way, two corners are exchanged.
+ * Marks all corners of a face as {@link NOT_THERE} if one of its vertices is missing or not finite.
+ * Texture coordinates that are missing, and normals that are missing or of zero length, become
+ * {@link NONE}. OBJ and PLY define no winding, so the normals decide which side is outside: two
+ * corners are exchanged where the winding says otherwise.
  */
 export async function keepSoundFaces(
   lists: CornerLists,
@@ -20,7 +20,7 @@ export async function keepSoundFaces(
   const { corners, cornerNormals, cornerUvs, joined, triangles } = lists;
   const refers = cornerUvs.length + cornerNormals.length > 0;
   if (!refers && lists.areAllThere) return;
-  /** What the face refers to although it is not there. */
+  /** 1 if the face refers to texture coordinates, or to normals, that the file lacks. */
   const misses = { uv: 0, normal: 0 };
   for (let first = 0; first < triangles;) {
     let end = first;
