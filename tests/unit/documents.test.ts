@@ -9,6 +9,7 @@ import { guide } from '../../.ci/site/contents.js';
 import { anchorOf } from '../../.ci/site/markdown.js';
 import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
 import { layoutDefines } from '../../src/phong/light/light-layout.js';
+import { VIEWS } from '../../src/phong/material/views.js';
 import { repository } from '../support/repository.mjs';
 
 /** Every page of the repository. */
@@ -104,6 +105,10 @@ describe('the documents', () => {
   it('for users are pages of the guide, each once in its contents', () => {
     const pages = documents.filter((path) => path.startsWith('demo/guide/'));
     expect(guide.map(({ path }) => `demo/${path.slice(0, -1)}.md`).sort()).toEqual(pages.sort());
+  });
+
+  it.each(VIEWS)('for users say what the view %s shows', (view) => {
+    expect(read('demo/guide/see.md')).toContain(`\`${view}\``);
   });
 
   it.each(forUsers)('%s links only to files of the package', (path) => {
