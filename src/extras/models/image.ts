@@ -260,7 +260,7 @@ function jpegSize(view: DataView): ImageSize | null {
 const MOST_SCANS = 100;
 
 /** Throws for a JPEG with more. Other files pass. */
-async function requireFewScans(file: Uint8Array, slices: Slices): Promise<void> {
+async function requireFewScans(file: Uint8Array, slices: Slices) {
   if (file[0] !== 0xff || file[1] !== 0xd8) return;
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   let scans = 0;

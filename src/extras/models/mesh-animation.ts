@@ -74,7 +74,7 @@ class MeshAnimation implements PlayedAnimation {
   }
 
   /** Frames the poses of the present animation, as soon as they are known. */
-  async #measure(): Promise<void> {
+  async #measure() {
     this.#frame();
     this.dispose();
     const name = this.#name;
@@ -87,7 +87,7 @@ class MeshAnimation implements PlayedAnimation {
   }
 
   /** `auto` frames the reach of the animation, if it is known; without one what is there. */
-  #frame(): void {
+  #frame() {
     const reach = this.#name === null ? undefined : this.#motion.knownReach(this.#name);
     const { root, picture } = this.#shown;
     if (root !== null) {

@@ -138,7 +138,7 @@ class Vertices {
   }
 }
 
-function copyItems(own: BufferAttribute, { array }: BufferAttribute): void {
+function copyItems(own: BufferAttribute, { array }: BufferAttribute) {
   own.array.set(array);
   own.needsUpdate = true;
 }

@@ -73,7 +73,7 @@ export async function droppedModel(
   return model;
 }
 
-async function collect(entry: FileSystemEntry, found: Map<string, File>): Promise<void> {
+async function collect(entry: FileSystemEntry, found: Map<string, File>) {
   if (found.size >= FILE_LIMIT) return;
   if (entry.isFile) {
     const file = new Promise<File>((resolve, reject) =>

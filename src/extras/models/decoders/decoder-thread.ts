@@ -113,12 +113,12 @@ export class DecoderThread<Job, Result> {
   }
 
   /** Ends the session after a while, unless it is used again. */
-  #rest(): void {
+  #rest() {
     clearTimeout(this.#idle);
     this.#idle = setTimeout(() => this.#close(), IDLE_MS);
   }
 
-  #close(): void {
+  #close() {
     this.#session?.then((session) => session.end()).catch(() => undefined);
     this.#session = null;
   }

@@ -160,7 +160,7 @@ export class Deformation {
   }
 
   /** Those of triangles that the joints mirror are turned as their corners are. */
-  #writeFaceNormals(from: number, to: number): void {
+  #writeFaceNormals(from: number, to: number) {
     const normals = this.#normal;
     if (!this.#rig.flat || normals === null) return;
     writeFaceNormals(this.#position, normals, from, to);
@@ -197,7 +197,7 @@ export class Deformation {
    * Triangles that the joints mirror name their corners the other way round: their outside stays
    * outside.
    */
-  #turnFaces(index: Uint16Array | Uint32Array, from: number, to: number): void {
+  #turnFaces(index: Uint16Array | Uint32Array, from: number, to: number) {
     const cornerAt = (i: number) => this.#order?.[i] ?? i;
     for (let i = from; i < to; i += 3) {
       const [a, b, c] = [cornerAt(i), cornerAt(i + 1), cornerAt(i + 2)];
@@ -208,13 +208,13 @@ export class Deformation {
     }
   }
 
-  #remember(): void {
+  #remember() {
     this.#version = this.#rig.joints?.pose.version ?? 0;
     this.#applied.set(this.#rig.weights);
   }
 
   /** Reads joints and weights. A joint that does not exist has no weight. */
-  #link(from: number, to: number): void {
+  #link(from: number, to: number) {
     const { joints } = this.#rig;
     if (joints === null) return;
     const { pose, sets } = joints;
@@ -241,7 +241,7 @@ export class Deformation {
    * Always from the file's own numbers, so that no error accumulates. Normals use the cofactors of
    * the blended matrix, which are right for any scale, including 0.
    */
-  #deform(from: number, to: number): void {
+  #deform(from: number, to: number) {
     this.#morph(from, to);
     const { joints } = this.#rig;
     if (joints !== null) {
@@ -254,7 +254,7 @@ export class Deformation {
     }
   }
 
-  #morph(from: number, to: number): void {
+  #morph(from: number, to: number) {
     for (const { name, rest, attribute } of this.#moving) {
       const values = attribute.array as Float32Array;
       const stride = attribute.itemSize;
@@ -265,7 +265,7 @@ export class Deformation {
     }
   }
 
-  #skin(bones: Float64Array, from: number, to: number): void {
+  #skin(bones: Float64Array, from: number, to: number) {
     const [positions, normals, tangents] = [this.#position, this.#normal, this.#tangent];
     const [indices, weights] = [this.#indices, this.#weights];
     for (let i = from; i < to; i += 1) {
@@ -339,7 +339,7 @@ export class Deformation {
   }
 
   /** The box of all vertices and the sphere around that box. */
-  #measure(): void {
+  #measure() {
     const geometry = this.#geometry;
     const [one, other] = this.#bounds;
     const box = geometry.boundingBox === one ? other : one;
@@ -367,7 +367,7 @@ function add(
 }
 
 /** Brings vectors of three numbers to unit length; those without direction become zero. */
-function normalizeAll(values: Float32Array, stride: number, from: number, to: number): void {
+function normalizeAll(values: Float32Array, stride: number, from: number, to: number) {
   for (let i = from * stride; i < to * stride; i += stride) {
     const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!];
     const length = Math.sqrt(x * x + y * y + z * z);

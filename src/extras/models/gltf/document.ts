@@ -144,7 +144,7 @@ export async function readDocument(
   };
 }
 
-function requireReadable(json: JsonObject): void {
+function requireReadable(json: JsonObject) {
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
     const fact = `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`;
@@ -380,7 +380,7 @@ function withJoints(drawn: readonly GltfNode[], inScene: ReadonlySet<number>): R
  * Throws for a cycle of nodes, on which the parser would wait for ever. @throws ModelError
  * `too-large` if nodes are nested too deeply.
  */
-function requireTree(children: readonly (readonly number[])[]): void {
+function requireTree(children: readonly (readonly number[])[]) {
   const below = new Set<number>();
   for (const child of children.flat()) {
     if (below.has(child)) throw new Error(`nodes[${String(child)}] has two parents`);

@@ -111,7 +111,7 @@ function meshSize(bytes: Uint8Array) {
   return { faces, points: vertices + splits };
 }
 
-function skipMetadata(reader: Reader): void {
+function skipMetadata(reader: Reader) {
   for (let attributes = reader.varint(); attributes > 0; attributes -= 1) {
     reader.varint(); // the attribute's id
     skipElement(reader);
@@ -120,7 +120,7 @@ function skipMetadata(reader: Reader): void {
 }
 
 /** Entries of a name and a value, then elements inside it, each after its name. */
-function skipElement(reader: Reader): void {
+function skipElement(reader: Reader) {
   for (let pending = 1; ;) {
     for (let entries = reader.varint(); entries > 0; entries -= 1) {
       reader.skip(reader.uint(1));

@@ -98,7 +98,7 @@ export async function placeInstances(
 }
 
 /** Quantised rotations are not of unit length. One without length turns nothing. */
-function setRotation(rotation: Quaternion, source: Attribute, i: number): void {
+function setRotation(rotation: Quaternion, source: Attribute, i: number) {
   const [x, y, z, w] = [source.getX(i), source.getY(i), source.getZ(i), source.getW(i)];
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (length > 0 && length < Infinity) {

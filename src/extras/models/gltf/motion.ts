@@ -343,7 +343,7 @@ interface Keyframes {
 }
 
 /** Writes the value at `seconds` to `out`. Before the first and after the last keyframe, theirs. */
-function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): void {
+function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array) {
   const { times, values, width, interpolation, rotation } = keyframes;
   const cubic = interpolation === 'CUBICSPLINE';
   const stride = cubic ? 3 * width : width;
@@ -419,7 +419,7 @@ function slerp(values: Float32Array, a: number, b: number, t: number): readonly 
 }
 
 /** A quaternion without length becomes no rotation. */
-function normalize(q: Float64Array): void {
+function normalize(q: Float64Array) {
   const length = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]! + q[3]! * q[3]!);
   if (!(length > 0)) {
     q.set([0, 0, 0, 1]);

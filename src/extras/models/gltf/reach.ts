@@ -73,7 +73,7 @@ export class Reach {
     ]);
   }
 
-  #read(positions: ArrayLike<number>, { elements: m }: Matrix4, from: number, to: number): void {
+  #read(positions: ArrayLike<number>, { elements: m }: Matrix4, from: number, to: number) {
     const { x: cx, y: cy, z: cz } = this.#center;
     for (let i = 3 * from; i < 3 * to; i += 3) {
       const [px, py, pz] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
@@ -98,7 +98,7 @@ export class Reach {
     }
   }
 
-  #end(side: number, along: number, x: number, y: number, z: number): void {
+  #end(side: number, along: number, x: number, y: number, z: number) {
     if (along <= this.#ends[side]!) return;
     this.#ends[side] = along;
     this.#endPoints[3 * side] = x;

@@ -108,7 +108,7 @@ class ObjReader {
     return more;
   }
 
-  #statement(): void {
+  #statement() {
     const scanner = this.#scanner;
     if (scanner.peek() === HASH) return;
     const word = scanner.word().toLowerCase();
@@ -166,7 +166,7 @@ class ObjReader {
     return { lists, runs: this.#runs, libraries: this.#libraries };
   }
 
-  #vertex(): void {
+  #vertex() {
     const scanner = this.#scanner;
     const { places, colors } = this.#lists;
     const start = scanner.at;
@@ -191,7 +191,7 @@ class ObjReader {
     pushColor(colors, red, green, blue);
   }
 
-  #textureCoordinates(): void {
+  #textureCoordinates() {
     const { uvs } = this.#lists;
     const u = this.#scanner.number();
     const v = this.#scanner.number();
@@ -201,7 +201,7 @@ class ObjReader {
   }
 
   /** The corners of a face, and its triangles after the last. */
-  #corners(): void {
+  #corners() {
     const scanner = this.#scanner;
     for (let i = 0; !scanner.atLineEnd() && scanner.peek() !== HASH; i += 1) {
       requireAtMost(i + 1, CORNER_LIMIT, 'corners in one face');
@@ -210,7 +210,7 @@ class ObjReader {
     this.#polygons.end();
   }
 
-  #corner(): void {
+  #corner() {
     const scanner = this.#scanner;
     const { places, uvs, normals } = this.#lists;
     const v = this.#index('face', places.count);
@@ -258,7 +258,7 @@ class ObjReader {
     return index;
   }
 
-  #nameLibraries(readings: readonly string[]): void {
+  #nameLibraries(readings: readonly string[]) {
     const [names = [], ...others] = readings.map(libraryNames);
     for (const [i, name] of names.entries()) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
@@ -268,7 +268,7 @@ class ObjReader {
     }
   }
 
-  #endRun(): void {
+  #endRun() {
     const end = this.#lists.corners.length;
     if (end > this.#runStart) {
       requireAtMost(this.#runs.length + 1, RUN_LIMIT, 'changes of its object or material');

@@ -95,7 +95,7 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
 }
 
 /** Comments, and what other programs add, are skipped. */
-function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft): void {
+function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft) {
   if (/^(element|property)$/.test(keyword)) {
     draft.declarations += 1;
   }
@@ -142,7 +142,7 @@ function afterLineEnd(bytes: Uint8Array, at: number): number {
   return end + (bytes[end] === LF || loneReturns ? 1 : 0);
 }
 
-function requireBytes({ encoding, elements }: PlyHeader, available: number): void {
+function requireBytes({ encoding, elements }: PlyHeader, available: number) {
   let needed = 0;
   for (const { count, properties } of elements) {
     // In text, each value takes at least a digit and a blank; only the last needs no blank.

@@ -321,7 +321,7 @@ class PlyRows {
    * A geometry has one kind of colours: those of faces, unless those of vertices say more, as in
    * other viewers.
    */
-  #chooseColors(): void {
+  #chooseColors() {
     const [ofVertices, ofFaces] = [this.#ofVertices, this.#ofFaces];
     const both = ofVertices.count > 0 && ofFaces.count > 0;
     const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);

@@ -55,7 +55,7 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
   };
 };
 
-function requireFaces(elements: readonly PlyElement[]): void {
+function requireFaces(elements: readonly PlyElement[]) {
   const vertices = countOf(elements, 'vertex');
   if (vertices === 0) throw new Error('it has no vertices');
   if (countOf(elements, 'face') + countOf(elements, 'tristrips') > 0) return;

@@ -261,7 +261,7 @@ class StlTextReader {
     return this.#solids;
   }
 
-  #vertex(): void {
+  #vertex() {
     const scanner = this.#scanner;
     if (this.#corners === 3) {
       this.#spoil('a facet has more than three vertices');
@@ -277,12 +277,12 @@ class StlTextReader {
     }
   }
 
-  #spoil(why: string): void {
+  #spoil(why: string) {
     this.#leftOut.because('triangle', () => why);
     this.#isSound = false;
   }
 
-  #endFacet(): void {
+  #endFacet() {
     if (this.#corners === null) return;
     if (this.#isSound && this.#corners < 3) {
       this.#spoil('a facet has fewer than three vertices');
@@ -295,7 +295,7 @@ class StlTextReader {
     this.#corners = null;
   }
 
-  #endSolid(): void {
+  #endSolid() {
     if (this.#places.count === 0) return;
     this.#solids.push({
       name: this.#name,

@@ -67,13 +67,13 @@ export class TextScanner {
     return Math.min(this.#bytes.length, this.at + LONGEST);
   }
 
-  #requireBefore(end: number): void {
+  #requireBefore(end: number) {
     if (this.at >= end && end < this.#bytes.length) {
       throw new Error('a line, a word or a gap in it is longer than 4 MiB');
     }
   }
 
-  #skipLine(): void {
+  #skipLine() {
     const bytes = this.#bytes;
     const end = this.#farthest;
     while (this.at < end && !isLineEnd(bytes[this.at]!)) {
@@ -285,7 +285,7 @@ export class TextScanner {
     this.#requireBefore(end);
   }
 
-  #skipBlanks(): void {
+  #skipBlanks() {
     const bytes = this.#bytes;
     const end = this.#farthest;
     for (;;) {

@@ -281,7 +281,7 @@ export class Growing<A extends TypedArray> {
   }
 
   /** @throws ModelError `too-large` past {@link LONGEST}. */
-  #grow(least: number): void {
+  #grow(least: number) {
     requireAtMost(least, LONGEST, 'numbers in one list');
     const wanted = Math.max(least, this.array.length * 2, this.#first);
     const larger = new this.#make(Math.min(wanted, LONGEST));

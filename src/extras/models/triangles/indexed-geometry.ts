@@ -54,37 +54,8 @@ export class IndexedGeometries {
     /** Whether two corners at one position are one vertex. */
     const agree = (a: number, b: number) =>
       normals[a] === normals[b] && uvs?.[a] === uvs?.[b] && faceColor(a) === faceColor(b);
-    const latestAt = this.#latest;
-    const before = this.#before;
-    const index = new Uint32Array(count);
-    /** A corner of each vertex: where its numbers are. */
-    const firsts = new Uint32Array(count);
-    /** The vertex before it at its position, counted as the latest. */
-    const chain = new Uint32Array(count);
-    let next = 0;
-    let length = 0;
-    for (const { start, end } of ranges) {
-      await slices.over(end - start, (from, to) => {
-        for (let corner = start + from; corner < start + to; corner += 1) {
-          const position = corners[corner]!;
-          if (position === NOT_THERE) continue;
-          const latest = latestAt[position]!;
-          let vertex = latest - before - 1;
-          for (let i = 0; vertex >= 0 && !agree(firsts[vertex]!, corner); i += 1) {
-            vertex = i < MOST_COMPARED ? chain[vertex]! - before - 1 : NONE;
-          }
-          if (vertex < 0) {
-            vertex = length++;
-            firsts[vertex] = corner;
-            chain[vertex] = latest;
-            latestAt[position] = before + length;
-          }
-          index[next++] = vertex;
-        }
-      });
-    }
-    this.#before += length;
-    if (next === 0) return null;
+    const { index, firsts, length } = await this.#joined(ranges, count, agree);
+    if (index.length === 0) return null;
     const colors = this.#byFace ? lists.faceColors : lists.colors;
     const colored = colors.length > 0;
     this.#budget.add({ values: length * (6 + (withUvs ? 2 : 0) + (colored ? 3 : 0)) });
@@ -95,7 +66,7 @@ export class IndexedGeometries {
       numbers: Int32Array | Uint32Array,
       size = 3,
       cornersEach = 1,
-    ): Promise<void> => {
+    ) => {
       const values = new Float32Array(length * size);
       await slices.over(length, (from, to) => {
         for (let vertex = from; vertex < to; vertex += 1) {
@@ -118,9 +89,51 @@ export class IndexedGeometries {
     } else if (colored) {
       await set('color', colors, corners);
     }
-    const used = index.subarray(0, next);
-    geometry.setIndex(new BufferAttribute(length > 0xffff ? used : new Uint16Array(used), 1));
-    free(firsts, chain);
+    geometry.setIndex(new BufferAttribute(length > 0xffff ? index : new Uint16Array(index), 1));
+    free(firsts);
     return geometry;
+  }
+
+  /**
+   * The vertices of `count` corners: those at one position that agree are one vertex. `index`: the
+   * vertex of each corner that is there. `firsts`: a corner of each vertex.
+   */
+  async #joined(
+    ranges: readonly CornerRange[],
+    count: number,
+    agree: (a: number, b: number) => boolean,
+  ) {
+    const corners = this.#lists.corners.array;
+    const latestAt = this.#latest;
+    const before = this.#before;
+    const index = new Uint32Array(count);
+    const firsts = new Uint32Array(count);
+    /** The vertex before it at its position, counted as the latest. */
+    const chain = new Uint32Array(count);
+    let next = 0;
+    let length = 0;
+    for (const { start, end } of ranges) {
+      await this.#slices.over(end - start, (from, to) => {
+        for (let corner = start + from; corner < start + to; corner += 1) {
+          const position = corners[corner]!;
+          if (position === NOT_THERE) continue;
+          const latest = latestAt[position]!;
+          let vertex = latest - before - 1;
+          for (let i = 0; vertex >= 0 && !agree(firsts[vertex]!, corner); i += 1) {
+            vertex = i < MOST_COMPARED ? chain[vertex]! - before - 1 : NONE;
+          }
+          if (vertex < 0) {
+            vertex = length++;
+            firsts[vertex] = corner;
+            chain[vertex] = latest;
+            latestAt[position] = before + length;
+          }
+          index[next++] = vertex;
+        }
+      });
+    }
+    this.#before += length;
+    free(chain);
+    return { index: index.subarray(0, next), firsts, length };
   }
 }

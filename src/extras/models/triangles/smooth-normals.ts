@@ -124,7 +124,7 @@ class Fan {
    * Two sides of a sheet are the same faces, but not the same triangles: forgets the diagonals
    * between the triangles of one face.
    */
-  #joinFace(from: number, to: number): void {
+  #joinFace(from: number, to: number) {
     let before = this.#before[from]!;
     let after = this.#after[from]!;
     for (let i = from + 1; i < to; i += 1) {
@@ -222,7 +222,7 @@ class Fan {
     return false;
   }
 
-  #takeOwn(i: number): void {
+  #takeOwn(i: number) {
     this.#sum.x = this.#x[i]!;
     this.#sum.y = this.#y[i]!;
     this.#sum.z = this.#z[i]!;

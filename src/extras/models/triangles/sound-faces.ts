@@ -56,7 +56,7 @@ function areThere({ corners, places }: CornerLists, at: number): boolean {
 }
 
 /** @param misses becomes 1 for what the triangle at corner `at` refers to, and is not there. */
-function settle(lists: CornerLists, at: number, misses: { uv: number; normal: number }): void {
+function settle(lists: CornerLists, at: number, misses: { uv: number; normal: number }) {
   const { cornerUvs, cornerNormals, uvs, normals } = lists;
   for (let corner = at; corner < at + 3; corner += 1) {
     if (itemAt(cornerUvs, corner) >= uvs.length / 2) {

@@ -75,13 +75,13 @@ export class Polygons {
     }
   }
 
-  #fan(): void {
+  #fan() {
     for (let i = 2; i < this.#count; i += 1) {
       this.#emit(0, i - 1, i);
     }
   }
 
-  #emit(a: number, b: number, c: number): void {
+  #emit(a: number, b: number, c: number) {
     const lists = this.#lists;
     if (this.#group !== UNSTATED) {
       setItem(lists.groups, lists.triangles, this.#group);
@@ -97,7 +97,7 @@ export class Polygons {
     this.#corner(c);
   }
 
-  #corner(i: number): void {
+  #corner(i: number) {
     this.#lists.pushCorner(this.#v[i]!, this.#t[i], this.#n[i]);
   }
 
@@ -128,7 +128,7 @@ export class Polygons {
     return true;
   }
 
-  #cutEars(flat: Float64Array, count: number): void {
+  #cutEars(flat: Float64Array, count: number) {
     const most = this.steps + POLYGON_STEPS;
     const rest = Array.from({ length: count }, (_, i) => i);
     const at = (i: number) => rest[i % rest.length]!;
