@@ -121,8 +121,14 @@ const longAxisCones = byCosine(({ L }, { light }) => [L, light.axis]);
 
 const reversedLambert: Form = { lambert: ({ NoL }) => Math.max(-NoL, 0) };
 
-/** Every position is a direction. */
-const allDirections: Form = { toLight: (_, given) => placeOf(given) };
+/**
+ * Every position is a direction. These are few, and do not tell one edge of a cone from another: as
+ * the cone stands here, no pair has another one.
+ */
+const allDirections: Form = {
+  toLight: (_, given) => placeOf(given),
+  isInside: RIGHT.isInside,
+};
 /** The attenuation does not ask whether the light is a place. */
 const attenuatedAtAll: Form = { att: ({ d }, { light }) => 1 / Math.max(falloff(light, d), 1) };
 
@@ -244,12 +250,15 @@ export const MISTAKES = mistakeTable({
   },
   'axis-not-unit': {
     sentence: "The spot's axis is not normalized: its length counts in the cosine.",
-    forms: [
-      ...longAxisCones.flatMap<Form>((cone) => [
-        ...alsoTogether({ c: ({ L }, { light }) => dot(L, negate(light.axis)) }, cone),
-        { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1), ...cone },
-      ]),
-    ],
+    forms: longAxisCones.flatMap((cone) =>
+      // Some clamp the cosine.
+      [1, Infinity].flatMap((most) =>
+        alsoTogether(
+          { c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -most, most) },
+          cone,
+        ),
+      ),
+    ),
   },
   'view-reversed': {
     sentence:
@@ -361,7 +370,7 @@ export const MISTAKES = mistakeTable({
       ),
       allDirections,
       { ...allDirections, att: () => 1 },
-      { L: (_, given) => normalize(placeOf(given)) },
+      { L: (_, given) => normalize(placeOf(given)), isInside: RIGHT.isInside },
       {
         att: (_, given) =>
           1 / Math.max(falloff(given.light, length(subtract(placeOf(given), given.p))), 1),
@@ -378,10 +387,13 @@ export const MISTAKES = mistakeTable({
   },
   'no-cone': {
     sentence: 'The cone is missing: outside of it the light adds nothing.',
-    // The ambient term alone is a mistake of its own.
-    forms: [TERMS, ...SOME_TERMS].map((without) =>
-      shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
-    ),
+    forms: [
+      { isInside: () => true },
+      // The ambient term alone is a mistake of its own.
+      ...SOME_TERMS.map((without) =>
+        shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
+      ),
+    ],
   },
   'aperture-in-radians': {
     sentence: 'The aperture is used as radians: it is in degrees.',

@@ -152,10 +152,12 @@ describe('from the colours at the sheet', () => {
   });
 });
 
-it('no edge of a cone is named where suns of a few directions do not tell one from another', () => {
+it('no edge of a cone is named where a few directions do not tell one from another', () => {
   const cases = casesOf({ ...ALL, kinds: ['directional'] });
   for (const id of ['aperture-in-radians', 'whole-aperture'] as const) {
     const found = formsOf(id).map((form) => judged(cases, form));
+    // All lights taken for suns.
+    found.push(judged(phong, { ...formsOf('w-ignored')[3], ...formsOf(id).at(-1) }));
     const wrong = found.filter((one) => !isRight(one));
     expect(wrong.length, id).toBeGreaterThan(0);
     for (const one of wrong) {
