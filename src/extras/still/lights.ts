@@ -29,7 +29,10 @@ const CLEAR = 1e-7;
 export class LightSums {
   /** Ambient, diffuse and specular light at the last point, r g b each. */
   readonly sums = new Float64Array(9);
-  /** N·L, the lobe's cosine, attenuation and decay of the only light; no term is 0 by them. */
+  /**
+   * N·L, the lobe's cosine, attenuation and decay of the only light, for views: outside its cone and
+   * behind the surface too.
+   */
   last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
   /** Equal where the same lights' cones and horizons hold the point. */
   piece = 0;
