@@ -20,7 +20,7 @@ for (const [what, attributes, layouts, beside = ''] of [
   ['a drag with a picture alone', '', 'never'],
   ['a drag with a legend', 'view="normals"', 'never'],
   ['a drag with a probe', 'probe', 'never'],
-  ['a mouse over a probe', 'probe', 'once a frame'],
+  ['a mouse around a shape with a probe', 'probe', 'once a frame'],
   ['a mouse over a probe beside a <phong-probe>', 'probe', 'once a frame', PROBE],
   [
     'a drag with all of these',
@@ -35,23 +35,22 @@ for (const [what, attributes, layouts, beside = ''] of [
       { width: 500, height: 320 },
     );
     await settled(viewer);
-    const moveTo = async (step: number) => {
-      await page.mouse.move(190 + 3 * step, 120 + step);
-      await page.evaluate(() => new Promise(requestAnimationFrame));
+    const radius = what.includes('around') ? 90 : 20;
+    const move = async (count: number) => {
+      for (let step = 0; step < count; step++) {
+        await page.mouse.move(200 + radius * Math.sin(step), 130 - radius * Math.cos(step));
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+      }
     };
-    await moveTo(0);
+    await move(1);
     if (what.startsWith('a drag')) {
       await page.mouse.down();
     }
     // The first moves show what a drag changes, such as the shape of the pointer.
-    for (let i = 0; i < 5; i++) {
-      await moveTo(i);
-    }
+    await move(5);
     const categories = ['devtools.timeline', 'disabled-by-default-devtools.timeline.stack'];
     await browser.startTracing(page, { categories });
-    for (let i = 0; i < MOVES; i++) {
-      await moveTo(5 + i);
-    }
+    await move(MOVES);
     const trace = JSON.parse((await browser.stopTracing()).toString()) as {
       readonly traceEvents: readonly TraceEvent[];
     };

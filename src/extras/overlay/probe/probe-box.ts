@@ -78,7 +78,7 @@ export class ProbeBox {
 
   /**
    * Shows this. Rows and steps are fitted, which forces a layout of the box, only where more than
-   * numbers has changed, or `anew`.
+   * numbers and side has changed since they were, or `anew`.
    */
   show(state: BoxState, anew = false): void {
     const { box: free, fontSize } = this.#room;
@@ -100,8 +100,8 @@ export class ProbeBox {
     const sum = content === null || typeof content === 'string' ? null : content;
     const all = sum?.sum.rows.length ?? 0;
     const message = sum === null ? content : null;
-    const fitted = [side, width, height, fontSize, texts, releasable, message, all];
-    if (!anew && sameValue(fitted, this.#fitted)) {
+    const fitted = [width, height, fontSize, texts, releasable, message, all];
+    if (content === null || (!anew && sameValue(fitted, this.#fitted))) {
       this.#render(state, side, this.#lights);
       return;
     }
