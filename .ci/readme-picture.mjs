@@ -7,9 +7,9 @@ import { createReadStream, existsSync, readFileSync, statSync, writeFileSync } f
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { needBuilt, readCommandLine } from '../tests/support/command-line.mjs';
+import { readCommandLine } from '../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from './browser.mjs';
-import { outputFolder } from './output-folder.mjs';
+import { needBuilt, outputFolder } from './output-folder.mjs';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
 

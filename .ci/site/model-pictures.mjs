@@ -7,9 +7,9 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
+import { readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
-import { outputFolder } from '../output-folder.mjs';
+import { needBuilt, outputFolder } from '../output-folder.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const pictures = join(repository, 'demo/assets/images/models');

@@ -6,9 +6,9 @@ import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
+import { readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
-import { outputFolder } from '../output-folder.mjs';
+import { needBuilt, outputFolder } from '../output-folder.mjs';
 import { readmeSnippet } from '../readme-picture.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));

@@ -22,8 +22,8 @@ export function readCommandLine(usage, options, names = []) {
   }
   try {
     const read = parseArgs({ options, allowPositionals: true });
-    const unknown = read.positionals.filter((name) => !names.includes(name));
-    if (unknown.length > 0) throw new Error(`Unknown argument '${unknown[0]}'.`);
+    const unknown = read.positionals.find((name) => !names.includes(name));
+    if (unknown !== undefined) throw new Error(`Unknown argument '${unknown}'.`);
     return read;
   } catch (error) {
     return refuse(/** @type {Error} */ (error).message);
@@ -36,8 +36,8 @@ export function readCommandLine(usage, options, names = []) {
  * @returns {never}
  */
 export function refuse(message) {
-  const [sentence = message] = message.split(/\. |\n/);
-  console.error(`${sentence.replace(/\.$/, '')}. See --help.`);
+  const [sentence = message] = message.split(/\.(?: |$)|\n/);
+  console.error(`${sentence}. See --help.`);
   process.exit(2);
 }
 
@@ -79,16 +79,6 @@ export function readResultFiles(folder, command) {
   return files
     .sort()
     .map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
-}
-
-/**
- * Refuses to go on without a file that another command builds. @param {string} file @param {string}
- * command
- */
-export function needBuilt(file, command) {
-  if (!existsSync(file)) {
-    refuse(`${file} is missing: run \`${command}\` first`);
-  }
 }
 
 /** A span of time for people: "40 s", "3 min", "1 h 20 min". @param {number} seconds */

@@ -3,7 +3,6 @@
 // commit's body.
 
 import { readdirSync, readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 import { expect, it } from 'vitest';
 import { repository } from '../support/repository.mjs';
@@ -65,7 +64,7 @@ it('each extra has a budget of its own, and src no folder beside phong, viewer a
       .map(({ name }) => name)
       .sort();
   expect(foldersIn('src')).toEqual(['decisions', 'extras', 'phong', 'viewer']);
-  const named = readFileSync(fileURLToPath(import.meta.url), 'utf8');
+  const named = readFileSync(`${repository}tests/unit/size.test.ts`, 'utf8');
   for (const extra of foldersIn('src/extras')) {
     expect(named).toContain(`'src/extras/${extra}'`);
   }

@@ -19,6 +19,7 @@ import {
   dot,
   length,
   normalize,
+  ORIGIN,
   perpendicular,
   scale,
   subtract,
@@ -188,8 +189,6 @@ function rayAlong(origin: Vec3, eye: Vec3, along: Vec3): ViewRay {
   const frame = { origin, eye, right, up: cross(right, along), back: scale(along, -1) };
   return { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
 }
-
-const ORIGIN: Vec3 = [0, 0, 0];
 
 /** Relative. Faces in one plane differ in depth by a few roundings of float64, 1e-16 each. */
 const COPLANAR = 1e-12;

@@ -51,6 +51,13 @@ export function createPanel(viewer: PhongViewer, place: HTMLElement, root: Shado
       content.update(change);
     }
   };
+  const update = (change: Change): void => {
+    // Shapes and models come later, and their size with them.
+    if (change !== 'camera' && !viewer.loaded) {
+      void viewer.ready.then(loaded);
+    }
+    content.update(change);
+  };
   gui.onOpenClose(() => {
     // lil-gui calls before it has marked the folder as open.
     queueMicrotask(() => {
@@ -58,11 +65,8 @@ export function createPanel(viewer: PhongViewer, place: HTMLElement, root: Shado
       markOpen(place, gui);
     });
   });
-  viewer.addEventListener('load', loaded);
   const stopWaiting = openIfWide(gui, viewer);
-  for (const change of CHANGES) {
-    content.update(change);
-  }
+  CHANGES.forEach(update);
   markOpen(place, gui);
   return {
     update(change: Change) {
@@ -72,10 +76,9 @@ export function createPanel(viewer: PhongViewer, place: HTMLElement, root: Shado
         content.update('lights');
         content.update('meshes');
       }
-      content.update(change);
+      update(change);
     },
     dispose() {
-      viewer.removeEventListener('load', loaded);
       stopWaiting();
       content.dispose();
       gui.destroy();

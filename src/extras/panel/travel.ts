@@ -1,7 +1,7 @@
 // The range that a slider covers, and how its positions map to values, in the unit of the control.
 import type { PhongViewer } from '../../viewer/extra.js';
 import { niceCeil, tidy } from '../../phong/math/round-number.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { ORIGIN, type Vec3 } from '../../phong/math/vector.js';
 import { measure } from '../../phong/geometry/bounds.js';
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
@@ -123,7 +123,7 @@ const EMPTY_REACH = 5;
 
 /**
  * The range that sliders for positions cover: the surroundings of the scene. Measured when it is
- * first read and after a load, not while a slider moves a mesh: the range would move with it. World
+ * first read and once something new is there, not while a slider moves a mesh: the range would move with it. World
  * space, scene units.
  */
 export class SceneRange {
@@ -174,5 +174,3 @@ export class SceneRange {
     });
   }
 }
-
-const ORIGIN: Vec3 = [0, 0, 0];

@@ -7,6 +7,8 @@ export type Vec4 = readonly [number, number, number, number];
 /** A 4×4 matrix by columns, as WebGL and three.js keep it. */
 export type Mat4 = ArrayLike<number>;
 
+export const ORIGIN: Vec3 = [0, 0, 0];
+
 export const clamp = (x: number, low: number, high: number): number =>
   Math.min(Math.max(x, low), high);
 

@@ -4,7 +4,7 @@ import type { Mesh, Scene } from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import { type Fit, fitTo, type Framing } from '../../phong/geometry/framing.js';
 import type { Orbit } from '../../phong/camera/orbit.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { ORIGIN } from '../../phong/math/vector.js';
 import { type Extent, measure, radiusOf } from '../../phong/geometry/bounds.js';
 import type { Size } from '../../phong/math/region.js';
 
@@ -155,5 +155,3 @@ export class AutoFit {
     this.#picture.invalidate();
   }
 }
-
-const ORIGIN: Vec3 = [0, 0, 0];

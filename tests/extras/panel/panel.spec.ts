@@ -87,6 +87,19 @@ test('a list of attributes shows their rows in its order, and warns of others', 
   await expect(slider(viewer, 'θ azimuth °')).toHaveAttribute('aria-valuetext', '-70');
 });
 
+test('has the range of the whole scene, even if it is there before the shapes', async ({
+  page,
+  mount,
+}) => {
+  await page.route('**/teapot-*', async (route) => {
+    await page.waitForSelector('[title=radius]');
+    await route.continue();
+  });
+  const viewer = await mount('<phong-viewer gui geometry="teapot" radius="2"></phong-viewer>');
+  // 0.54 where the scene is empty.
+  await expect(slider(viewer, 'radius')).toHaveValue(/0\.[6-9]/);
+});
+
 test('lies inside the viewer, scrolls there, and opens and closes by pointer and by keys', async ({
   page,
   mount,
