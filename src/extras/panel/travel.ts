@@ -123,8 +123,8 @@ const EMPTY_REACH = 5;
 
 /**
  * The range that sliders for positions cover: the surroundings of the scene. Measured when it is
- * first read and once something new is there, not while a slider moves a mesh: the range would move with it. World
- * space, scene units.
+ * first read and once something new is there, not while a slider moves a mesh: the range would move
+ * with it. World space, scene units.
  */
 export class SceneRange {
   readonly #viewer: PhongViewer;
