@@ -35,6 +35,7 @@ for (const [what, attributes, layouts, beside = ''] of [
       { width: 500, height: 320 },
     );
     await settled(viewer);
+    await viewer.focus();
     const radius = what.includes('around') ? 90 : 20;
     const move = async (count: number) => {
       for (let step = 0; step < count; step++) {
@@ -48,10 +49,11 @@ for (const [what, attributes, layouts, beside = ''] of [
     }
     // The first moves show what a drag changes, such as the shape of the pointer.
     await move(5);
-    const categories = ['devtools.timeline', 'disabled-by-default-devtools.timeline.stack'];
-    await browser.startTracing(page, { categories });
+    await browser.startTracing(page, {
+      categories: ['devtools.timeline', 'disabled-by-default-devtools.timeline.stack'],
+    });
     await move(MOVES);
-    const trace = JSON.parse((await browser.stopTracing()).toString()) as {
+    const trace = JSON.parse(String(await browser.stopTracing())) as {
       readonly traceEvents: readonly TraceEvent[];
     };
     await page.mouse.up();

@@ -116,10 +116,9 @@ export class ProbeView {
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
     this.#show();
-    // The focused row, button or box may have been removed.
-    const gone =
-      shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
-    if (focused && gone) {
+    if (!focused) return;
+    // The focused row, button or box may have been removed. Asking lays the page out.
+    if (shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility()) {
       this.cursor.focus({ preventScroll: true });
     }
   }
