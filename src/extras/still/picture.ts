@@ -3,10 +3,11 @@
 // First nine points of each pixel are taken: corners, middles of sides, and the middle; neighbours
 // share them, so that they cost four samples a pixel. If all are of one piece (one object, one
 // side, the same lights' cones and horizons), Simpson's rule agrees with a rule of lower order to a
-// quarter of a code, and nothing bends much, its mean is right to some hundredths. A curve that
-// enters between two of the points, half a pixel apart, and leaves again cuts off 0.01 / r of the
-// pixel, r being its radius in pixels. Not where highlights may be that narrow, and not where a
-// triangle enters that lies apart from what the points meet: rods, dots and wires may be thinner.
+// quarter of a code, and nothing bends much, its mean is right to some hundredths; across the edge
+// of a texel to 1.5 codes (measured). A curve that enters between two of the points, half a pixel
+// apart, and leaves again cuts off 0.01 / r of the pixel, r being its radius in pixels. Not where
+// highlights may be that narrow, and not where a triangle enters that lies apart from what the
+// points meet: rods, dots and wires may be thinner.
 //
 // All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places
 // where the screen takes that many: its picture differs by rounding where it draws the same

@@ -160,7 +160,7 @@ async function collectParts(
     });
   }
   if (parts.length === 0) throw new Error('it has no triangles');
-  // Last, because parts can share a map and each has read its channel above.
+  // Last: parts can share a map, and the look of each is read from the map as GLTFLoader made it.
   for (const map of parts.flatMap(({ look }) => mapsOfLook(look))) {
     map.colorSpace = NoColorSpace; // GLTFLoader's would make the GPU decode it in srgb shading too
     if (map.matrixAutoUpdate) {
