@@ -116,7 +116,7 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * pixel there, with `exact` the one at that very point. Blended surfaces are explained without
    * what lies behind them, textures without mipmaps. Null where nothing is hit, where an object of
    * your own is nearest (its lines and points are ignored), and while the viewer has no box on the
-   * page. Rejects unless x and y are finite.
+   * page, as of the last frame. Rejects unless x and y are finite.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
