@@ -113,10 +113,10 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /**
    * Explains, in float64, the fragment at `x`, `y`: CSS pixels from the picture's top left corner,
    * inside any border, like `offsetX` and `offsetY`. It is the one at the centre of the device
-   * pixel there, with `exact` the one at that very point. Blended surfaces are explained without
+   * pixel there, with `exact` the one at that point. Blended surfaces are explained without
    * what lies behind them, textures without mipmaps. Null where nothing is hit, where an object of
-   * your own is nearest (its lines and points are ignored), and while the viewer has no box on the
-   * page, as of the last frame. Rejects unless x and y are finite.
+   * your own is nearest (its lines and points are ignored), and while the viewer had no box in the
+   * last frame. Rejects unless x and y are finite.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
