@@ -26,7 +26,6 @@ export { takeRows } from './viewer-rows.js';
 const WIDE = { text: 40, column: PANEL_PLACE.wide } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
-const STYLES = panelStyles + controls;
 
 const CHANGES = ['lights', 'camera', 'viewer', 'meshes'] as const;
 type Change = (typeof CHANGES)[number];
@@ -40,21 +39,22 @@ interface Content {
 
 /** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
 export function createPanel(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
-  const removeStyles = addStyles(root, STYLES);
+  const removeStyles = addStyles(root, panelStyles + controls);
   const gui = newRoot(place);
   const range = new SceneRange(viewer);
   const content = contentOf(viewer, gui, range);
   let { texts } = viewer;
-  const loaded = (): void => {
-    range.expire();
-    for (const change of ['lights', 'camera', 'meshes'] as const) {
-      content.update(change);
-    }
-  };
-  const update = (change: Change): void => {
-    // Shapes and models come later, and their size with them.
-    if (change !== 'camera' && !viewer.loaded) {
-      void viewer.ready.then(loaded);
+  let isWaiting = false;
+  const update = (change: Change) => {
+    // Shapes and models come later, and their size with them. Lights can change in each frame, and
+    // bring no size.
+    if (change !== 'camera' && change !== 'lights' && !isWaiting && !viewer.loaded) {
+      isWaiting = true;
+      void viewer.ready.then(() => {
+        isWaiting = false;
+        range.expire();
+        (['lights', 'camera', 'meshes'] as const).forEach(content.update);
+      });
     }
     content.update(change);
   };
