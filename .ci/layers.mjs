@@ -3,6 +3,7 @@
 // only, and a few doors are lazy: a lazily reached layer may be named in `import()` or `import
 // type`, never in a plain import.
 
+import { readdirSync } from 'node:fs';
 import { posix } from 'node:path';
 
 /**
@@ -25,8 +26,12 @@ const phong = [
   'phong/math',
 ];
 const viewer = ['viewer/element', 'viewer/scene', 'viewer/model', ...phong];
-/** Between extras there are only the edges that their own lines name. */
+/** What each extra may import. Packages and edges between extras need a line of their own below. */
 const extra = ['viewer/extra.ts', ...phong];
+
+const extras = readdirSync(new URL('../src/extras', import.meta.url), { withFileTypes: true })
+  .filter((entry) => entry.isDirectory())
+  .map(({ name }) => `extras/${name}`);
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
@@ -76,25 +81,15 @@ export const layers = {
   // The table of extras: the only file of the viewer that knows them.
   'viewer/extras.ts': {
     layers: ['viewer/element', 'viewer/scene', 'viewer/model', 'phong/lazy-code.ts'],
-    lazy: [
-      'extras/models',
-      'extras/samples',
-      'extras/explain',
-      'extras/compare',
-      'extras/panel',
-      'extras/probe',
-      'extras/diagnosis',
-      'extras/overlay',
-      'extras/exercise',
-    ],
+    lazy: extras,
   },
   // All that extras may import of the viewer.
   'viewer/extra.ts': { layers: viewer },
+  ...Object.fromEntries(extras.map((name) => [name, { layers: extra }])),
   'extras/models': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/samples': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/explain': { layers: ['phong/reference', ...extra], packages: ['three'] },
   'extras/compare': { layers: extra, packages: ['lit'] },
-  'extras/diagnosis': { layers: extra },
   'extras/overlay': {
     layers: ['extras/explain', ...extra],
     packages: ['three', 'lit'],
@@ -140,8 +135,6 @@ export const layers = {
   },
   // The whole script of a page until the elements are fetched.
   'extras/lazy': { lazy: ['viewer'] },
-  // In browsers and in Node.
-  'extras/png': { layers: extra },
   // Runs in Node and sends functions into pages: the elements are types to it.
   'extras/playwright': {
     layers: ['phong/reference', 'phong/light', 'phong/math'],
