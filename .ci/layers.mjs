@@ -29,9 +29,12 @@ const viewer = ['viewer/element', 'viewer/scene', 'viewer/model', ...phong];
 /** What each extra may import. Packages and edges between extras need a line of their own below. */
 const extra = ['viewer/extra.ts', ...phong];
 
-const extras = readdirSync(new URL('../src/extras', import.meta.url), { withFileTypes: true })
+/** Their folders. */
+export const EXTRAS = readdirSync(new URL('../src/extras', import.meta.url), {
+  withFileTypes: true,
+})
   .filter((entry) => entry.isDirectory())
-  .map(({ name }) => `extras/${name}`);
+  .map(({ name }) => name);
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
@@ -81,11 +84,11 @@ export const layers = {
   // The table of extras: the only file of the viewer that knows them.
   'viewer/extras.ts': {
     layers: ['viewer/element', 'viewer/scene', 'viewer/model', 'phong/lazy-code.ts'],
-    lazy: extras,
+    lazy: EXTRAS.map((name) => `extras/${name}`),
   },
   // All that extras may import of the viewer.
   'viewer/extra.ts': { layers: viewer },
-  ...Object.fromEntries(extras.map((name) => [name, { layers: extra }])),
+  ...Object.fromEntries(EXTRAS.map((name) => [`extras/${name}`, { layers: extra }])),
   'extras/models': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/samples': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/explain': { layers: ['phong/reference', ...extra], packages: ['three'] },

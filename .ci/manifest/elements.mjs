@@ -46,14 +46,14 @@ export function describeElements({ fields, attributeOf, formatValue }) {
     compilerOptions(),
   );
   const reader = new SourceReader(program.getTypeChecker());
-  const eventsFile = program.getSourceFile(join(folder, 'elements.ts'));
+  const common = program.getSourceFile(join(folder, 'elements.ts'));
   return tags.map((tag) => {
     const file = program.getSourceFile(join(folder, `${tag}.ts`));
     const className = tag.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
     const declaration = file?.statements.find(
       (s) => ts.isClassDeclaration(s) && implementsElement(s, className),
     );
-    if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile) {
+    if (!declaration || !ts.isClassDeclaration(declaration) || !file || !common) {
       throw new Error(
         `src/viewer/element/${tag}.ts: no class that implements ${className}, named ${className.replace('Phong', '')}Element`,
       );
@@ -73,7 +73,7 @@ export function describeElements({ fields, attributeOf, formatValue }) {
             : (formatValue(field.fallback, field) ?? absent(field)),
         ...reader.property(declaration, name),
       })),
-      events: reader.events(eventsFile, `${className}EventMap`),
+      events: reader.events([file, common], `${className}EventMap`),
     };
   });
 }
@@ -172,9 +172,11 @@ class SourceReader {
     return { name, description, type };
   }
 
-  /** @param {ts.SourceFile} file @param {string} map @returns {Typed[]} */
-  events(file, map) {
-    const found = file.statements.find((s) => ts.isInterfaceDeclaration(s) && s.name.text === map);
+  /** @param {ts.SourceFile[]} files @param {string} map @returns {Typed[]} */
+  events(files, map) {
+    const found = files
+      .flatMap(({ statements }) => [...statements])
+      .find((s) => ts.isInterfaceDeclaration(s) && s.name.text === map);
     if (!found || !ts.isInterfaceDeclaration(found)) return [];
     return found.members.map((member) => {
       const type = this.#checker.getTypeAtLocation(member);

@@ -1,7 +1,6 @@
 // All that extras may import of the viewer. Its own files import each other, and never this one.
 
 export type {
-  AnswerDetail,
   FragmentExplanation,
   PhongCompare,
   PhongLight,
@@ -11,6 +10,7 @@ export type {
   ProbeDetail,
   ValuesByTag,
 } from './element/elements.js';
+export type { AnswerDetail } from './element/phong-probe.js';
 export type { MistakeTests } from './element/extra-code.js';
 export { ExtraElement } from './element/extra-element.js';
 export { cssColor } from './element/fields/css-color.js';

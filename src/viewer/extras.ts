@@ -10,11 +10,10 @@ import {
   comparisonCode,
   controlCode,
   diagnosisCode,
-  exerciseCode,
+  elementCode,
   explanationCode,
   panelCode,
   pictureCode,
-  probeCode,
 } from './element/extra-code.js';
 import { panelRows } from './element/panel-rows.js';
 import { extraKinds } from './element/viewer/extra-host.js';
@@ -34,8 +33,8 @@ explanationCode.provide(() => import('../extras/explain/shade-at.js'));
 comparisonCode.provide(() => import('../extras/compare/comparison.js'));
 panelCode.provide(() => import('../extras/panel/panel.js'));
 controlCode.provide(() => import('../extras/panel/control.js'));
-probeCode.provide(() => import('../extras/probe/probe-element.js'));
-exerciseCode.provide(() => import('../extras/exercise/exercise.js'));
+elementCode('phong-probe').provide(() => import('../extras/probe/probe-element.js'));
+elementCode('phong-exercise').provide(() => import('../extras/exercise/exercise.js'));
 diagnosisCode.provide(() => import('../extras/diagnosis/diagnose.js'));
 
 // While a viewer's values ask for it. What lies over the picture is drawn in this order.

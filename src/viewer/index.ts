@@ -62,17 +62,15 @@ export type {
   LightsByName,
   LoadDetail,
   PhongCompareEventMap,
-  AnswerDetail,
-  AnswerMistake,
-  PhongExerciseEventMap,
   PhongMeshEventMap,
-  PhongProbeEventMap,
   PhongViewerEventMap,
   PictureOptions,
   ShadeOptions,
   ViewerErrorDetail,
   ViewerStats,
 } from './element/elements.js';
+export type { PhongExerciseEventMap } from './element/phong-exercise.js';
+export type { AnswerDetail, AnswerMistake, PhongProbeEventMap } from './element/phong-probe.js';
 export type { NumberList } from './element/fields/properties.js';
 export type {
   PhongCompareProps,

@@ -15,13 +15,8 @@ import {
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import {
-  EXTRAS,
-  TABLE,
-  tableWithout,
-  typeErrors,
-  withDependents,
-} from '../support/without-extra.js';
+import { TABLE, tableWithout, typeErrors, withDependents } from '../support/without-extra.js';
+import { EXTRAS } from '../../.ci/layers.mjs';
 import { repository } from '../support/repository.mjs';
 
 /** What the build and the tests read. */

@@ -4,16 +4,10 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import ts from 'typescript';
-import { layers } from '../../.ci/layers.mjs';
+import { EXTRAS, layers } from '../../.ci/layers.mjs';
 import { repository } from './repository.mjs';
 
 export const TABLE = 'src/viewer/extras.ts';
-
-export const EXTRAS: readonly string[] = readdirSync(join(repository, 'src/extras'), {
-  withFileTypes: true,
-})
-  .filter((entry) => entry.isDirectory())
-  .map(({ name }) => name);
 
 /** `extra`, and those that may import it, in turn. */
 export function withDependents(extra: string): ReadonlySet<string> {

@@ -6,6 +6,7 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { guide } from '../../.ci/site/contents.js';
+import { EXTRAS } from '../../.ci/layers.mjs';
 import { anchorOf } from '../../.ci/site/markdown.js';
 import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
 import { layoutDefines } from '../../src/phong/light/light-layout.js';
@@ -75,9 +76,7 @@ describe('the documents', () => {
   });
 
   it('introduce each folder of src, and each extra, in 10 to 30 lines beside the list of extras', () => {
-    const extras = readdirSync(join(repository, 'src/extras'), { withFileTypes: true })
-      .filter((entry) => entry.isDirectory())
-      .map(({ name }) => `extras/${name}`);
+    const extras = EXTRAS.map((name) => `extras/${name}`);
     for (const folder of ['phong', 'viewer', 'extras', ...extras]) {
       const isOfAnExtra = (line: string) => /^\| \[\w+\]\(\w+\/README\.md\)/.test(line);
       const text = read(`src/${folder}/README.md`).split('\n');

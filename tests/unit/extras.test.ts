@@ -6,13 +6,8 @@ import { describe, expect, it } from 'vitest';
 import { VIEWER_ROWS } from '../../src/extras/panel/viewer-rows.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import { panelRows } from '../../src/viewer/element/panel-rows.js';
-import {
-  brokenImports,
-  EXTRAS,
-  TABLE,
-  typeErrors,
-  withDependents,
-} from '../support/without-extra.js';
+import { brokenImports, TABLE, typeErrors, withDependents } from '../support/without-extra.js';
+import { EXTRAS } from '../../.ci/layers.mjs';
 import { repository } from '../support/repository.mjs';
 
 /** What extras may import of the viewer. Fewer is better: a name that goes takes this number down. */

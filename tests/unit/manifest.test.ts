@@ -14,12 +14,9 @@ import type {
   CompareProperties,
   CompareValues,
 } from '../../src/viewer/element/fields/compare-fields.js';
-import type {
-  ControlProperties,
-  ControlValues,
-} from '../../src/viewer/element/fields/control-properties.js';
-import type { ExerciseProperties } from '../../src/viewer/element/fields/exercise-properties.js';
-import type { ProbeProperties } from '../../src/viewer/element/fields/probe-properties.js';
+import type { ControlProperties, ControlValues } from '../../src/viewer/element/phong-control.js';
+import type { ExerciseProperties } from '../../src/viewer/element/phong-exercise.js';
+import type { ProbeProperties } from '../../src/viewer/element/phong-probe.js';
 import type {
   LightProperties,
   MeshProperties,
@@ -54,9 +51,12 @@ it('the tables of the reference are written from the source (`npm run manifest` 
   expect(page).toBe(referencePage(page, elements));
 });
 
-it('the package exports the class of every element', () => {
-  const names = elements.map(({ className }) => className);
-  expect(Object.keys(classes)).toEqual(expect.arrayContaining(names));
+it('the package exports the class of every element, and the type of its props', () => {
+  const entry = readFileSync(new URL('../../src/viewer/index.ts', import.meta.url), 'utf8');
+  for (const { className } of elements) {
+    expect(Object.keys(classes)).toContain(className);
+    expect(entry).toContain(`  ${className}Props,`);
+  }
 });
 
 it('the exports of the package follow from its entries (`npm run manifest` writes them again)', () => {

@@ -13,22 +13,10 @@ import {
   useLayoutEffect,
   useRef,
 } from 'react';
-import type {
-  PhongCompareEventMap,
-  PhongProbeEventMap,
-  PhongExerciseEventMap,
-  PhongViewerEventMap,
-} from '../../viewer/element/elements.js';
 import { attributeOf } from '../../phong/fields/attribute-text.js';
-import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
-import type { ExerciseValues } from '../../viewer/element/fields/exercise-properties.js';
-import type {
-  ComponentProps,
-  ExerciseOwnProps,
-  Handlers,
-  ViewerOwnProps,
-} from '../../viewer/element/template-types.js';
-import type { ProbeProperties } from '../../viewer/element/fields/probe-properties.js';
+import type { ElementTypes, ViewerOwnProps } from '../../viewer/element/elements.js';
+import type { ExerciseOwnProps } from '../../viewer/element/phong-exercise.js';
+import type { ComponentProps, Handlers } from '../../viewer/element/template-types.js';
 import * as elements from '../../viewer/index.js';
 
 export type PhongLightElement = elements.PhongLight;
@@ -85,16 +73,7 @@ export const PhongCompare: Component<PhongCompareProps> = component(
 export const PhongControl: Component<PhongControlProps> = component(
   'phong-control',
   // Written out: the table of fields would bring its code.
-  [
-    'for',
-    'attribute',
-    'component',
-    'values',
-    'min',
-    'max',
-    'step',
-    'type',
-  ] satisfies (keyof ControlValues)[],
+  ['for', 'attribute', 'component', 'values', 'min', 'max', 'step', 'type'],
 );
 
 /** `<phong-probe>`, as {@link PhongLight}, with the event `onAnswer`. */
@@ -106,7 +85,7 @@ export const PhongProbe: Component<PhongProbeProps> = component('phong-probe', [
   'seed',
   'name',
   'required',
-] satisfies (keyof ProbeProperties)[]);
+]);
 
 /** `<phong-exercise>`, as {@link PhongLight}, with the event `onCheck`. */
 export const PhongExercise: Component<PhongExerciseProps> = component('phong-exercise', [
@@ -117,7 +96,7 @@ export const PhongExercise: Component<PhongExerciseProps> = component('phong-exe
   'hint',
   'solution',
   'required',
-] satisfies (keyof ExerciseValues)[]);
+]);
 
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
 const EVENTS: ReadonlyMap<string, string> = new Map(
@@ -132,7 +111,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onRender: 'render',
     onDividerChange: 'divider-change',
     onCheck: 'check',
-  } satisfies Record<keyof Handlers<AllEvents, unknown>, keyof AllEvents>),
+  } satisfies Record<keyof Handlers<Record<EventName, Event>, unknown>, EventName>),
 );
 
 const OWN_PROPS: readonly string[] = ['texts', 'maxTriangles', 'maxMemory', 'value'] satisfies (
@@ -140,10 +119,9 @@ const OWN_PROPS: readonly string[] = ['texts', 'maxTriangles', 'maxMemory', 'val
   | keyof ExerciseOwnProps
 )[];
 
-type AllEvents = PhongViewerEventMap &
-  PhongCompareEventMap &
-  PhongProbeEventMap &
-  PhongExerciseEventMap;
+type EventName = {
+  [T in keyof ElementTypes]: keyof ElementTypes[T]['events'];
+}[keyof ElementTypes];
 
 /** Props that are neither a value nor an event of the element are left to React. */
 function component<P extends object>(tag: string, attributes: readonly string[]): Component<P> {

@@ -3,14 +3,9 @@
 import type { LightValues } from '../../phong/light/light-state.js';
 import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import type { MistakeId } from '../../phong/mistakes/mistakes.js';
-import type { SlipId } from '../../phong/mistakes/slips.js';
 import type { LightShare } from '../../phong/reference/index.js';
 import type { ViewportStats } from '../scene/viewport-stats.js';
 import type { CompareProperties, CompareValues } from './fields/compare-fields.js';
-import type { ControlProperties, ControlValues } from './fields/control-properties.js';
-import type { ExerciseProperties, ExerciseValues } from './fields/exercise-properties.js';
-import type { ProbeProperties, ProbeValues } from './fields/probe-properties.js';
 import type { Inputs, LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
 import type { ViewerProperties, ViewerValues } from './fields/viewer-fields.js';
@@ -194,40 +189,6 @@ export interface PhongCompare extends LitElement, CompareProperties {
   toHTML(): string;
 }
 
-/** Edits one value of viewers, lights or meshes, anywhere on the page. */
-export interface PhongControl extends HTMLElement, ControlProperties {
-  readonly localName: 'phong-control';
-}
-
-/** What <phong-probe> and <phong-exercise> have as HTML's own controls of forms do. */
-export interface FormControl {
-  /**
-   * What was written: a probe's answers as typed, those of several questions separated by `;`; an
-   * exercise's function.
-   */
-  value: string;
-  readonly form: HTMLFormElement | null;
-  readonly validity: ValidityState;
-  readonly validationMessage: string;
-  readonly willValidate: boolean;
-  checkValidity(): boolean;
-  reportValidity(): boolean;
-}
-
-/** Explains one point of a viewer's picture, anywhere on the page. */
-export interface PhongProbe extends HTMLElement, ProbeProperties, FormControl {
-  readonly localName: 'phong-probe';
-  addEventListener: Listen<this, PhongProbeEventMap>;
-  removeEventListener: Listen<this, PhongProbeEventMap>;
-}
-
-/** A lighting function to write, and a verdict on it. */
-export interface PhongExercise extends HTMLElement, ExerciseProperties, FormControl {
-  readonly localName: 'phong-exercise';
-  addEventListener: Listen<this, PhongExerciseEventMap>;
-  removeEventListener: Listen<this, PhongExerciseEventMap>;
-}
-
 /**
  * A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise.
  */
@@ -253,29 +214,34 @@ export interface CameraState {
 }
 
 /**
- * The elements by their tags. One without values (`ValuesByTag`) or without a class in
- * `viewer/index.ts` does not compile.
+ * The types of each element, by its tag. Elements that are extras add theirs beside their classes.
+ * One without a class in `viewer/index.ts` does not compile.
  */
-export interface ElementsByTag {
-  'phong-light': PhongLight;
-  'phong-mesh': PhongMesh;
-  'phong-viewer': PhongViewer;
-  'phong-compare': PhongCompare;
-  'phong-control': PhongControl;
-  'phong-probe': PhongProbe;
-  'phong-exercise': PhongExercise;
+export interface ElementTypes {
+  'phong-light': Types<PhongLight, LightValues>;
+  'phong-mesh': Types<PhongMesh, MeshValues, PhongMeshEventMap>;
+  'phong-viewer': Types<PhongViewer, ViewerValues, PhongViewerEventMap, ViewerOwnProps>;
+  'phong-compare': Types<PhongCompare, CompareValues, PhongCompareEventMap>;
 }
 
-/** What elements declare, by their tags. */
-export interface ValuesByTag {
-  'phong-light': LightValues;
-  'phong-mesh': MeshValues;
-  'phong-viewer': ViewerValues;
-  'phong-compare': CompareValues;
-  'phong-control': ControlValues;
-  'phong-probe': ProbeValues;
-  'phong-exercise': ExerciseValues;
+/** `Own`: what templates accept besides values. */
+export interface Types<Element, Values, Events = object, Own = object> {
+  element: Element;
+  /** What it declares. */
+  values: Values;
+  events: Events;
+  properties: Own;
 }
+
+/** Properties of `<phong-viewer>` without an attribute. */
+export interface ViewerOwnProps {
+  readonly texts?: ViewerTexts | null | undefined;
+  readonly maxTriangles?: number | null | undefined;
+  readonly maxMemory?: number | null | undefined;
+}
+
+export type ElementsByTag = { [T in keyof ElementTypes]: ElementTypes[T]['element'] };
+export type ValuesByTag = { [T in keyof ElementTypes]: ElementTypes[T]['values'] };
 
 declare global {
   // oxlint-disable-next-line typescript/no-empty-object-type
@@ -323,28 +289,6 @@ export interface ProbeDetail {
 }
 
 /**
- * A usual mistake: of the table that also checks a learner's function, or of answers alone.
- * `left-out`: a term of a sum. `digits`: too few.
- */
-export type AnswerMistake = MistakeId | SlipId | 'left-out' | 'digits' | 'above-full';
-
-/** An answer to a question of a `<phong-probe>`. */
-export interface AnswerDetail {
-  readonly term: 'ambient' | 'diffuse' | 'specular' | 'sum';
-  /** Null for the sum and the head-light. */
-  readonly light: PhongLight | null;
-  /** Null where all channels are equal. */
-  readonly channel: 'red' | 'green' | 'blue' | null;
-  /** As typed, and as a number; null if it is none. */
-  readonly text: string;
-  readonly value: number | null;
-  readonly expected: number;
-  readonly correct: boolean;
-  /** The likeliest one that gives this value. Null for right answers and unusual ones. */
-  readonly mistake: AnswerMistake | null;
-}
-
-/**
  * Events of `<phong-viewer>`. None bubbles. `progress`, `camera-change` and `light-change` come
  * once for a task, however many there were.
  */
@@ -373,32 +317,10 @@ export interface PhongViewerEventMap {
   render: CustomEvent<null>;
 }
 
-/** Events of `<phong-probe>`. None bubbles. */
-export interface PhongProbeEventMap {
-  /** The user answered a question: what was typed, and whether it was right. */
-  answer: CustomEvent<AnswerDetail>;
-}
-
 /** Events of `<phong-compare>`. None bubbles. */
 export interface PhongCompareEventMap {
   /** The user moved a divider; `detail.at` are the places of all, in percent. */
   'divider-change': CustomEvent<{ readonly at: readonly number[] }>;
-}
-
-/** What a run of a learner's function gave. */
-export interface CheckDetail {
-  readonly right: boolean;
-  /** Ids of the mistakes that together explain the colours, one or two; empty where none do. */
-  readonly mistakes: readonly string[];
-  /** Of the judged pixels, those that are right: 0–1. */
-  readonly share: number;
-  readonly source: string;
-}
-
-/** Events of `<phong-exercise>`. None bubbles. */
-export interface PhongExerciseEventMap {
-  /** Somebody has run the function: `detail.right`, `mistakes`, `share` and `source`. */
-  check: CustomEvent<CheckDetail>;
 }
 
 /** All events by name, including those of every element. */

@@ -1,8 +1,9 @@
 // The code of extras that the elements use, as far as they use it. The table of extras says how it
 // is fetched (`viewer/extras.ts`).
 import type { ReactiveController, TemplateResult } from 'lit';
-import { extraCode } from '../model/provided-code.js';
+import { type ExtraCode, extraCode } from '../model/provided-code.js';
 import type {
+  ElementTypes,
   FragmentExplanation,
   PhongCompare,
   PhongViewer,
@@ -28,19 +29,22 @@ export const panelCode = /* @__PURE__ */ extraCode<{
   readonly takeRows: (rows: ExtraRows) => void;
 }>('the control panel');
 
-export const controlCode = /* @__PURE__ */ extraCode<{
-  readonly takeRows: (rows: ExtraRows) => void;
-  readonly follow: (element: HTMLElement) => void;
-}>('<phong-control>');
+export const controlCode = /* @__PURE__ */ extraCode<
+  ElementCode & { readonly takeRows: (rows: ExtraRows) => void }
+>('<phong-control>');
 
-/** The code of a control of forms. */
-export interface FormCode {
+/** The code of an element that is fetched. */
+export interface ElementCode {
+  /** An element is on the page. */
   readonly follow: (element: HTMLElement) => void;
-  readonly restore: (element: HTMLElement, state: string) => void;
+  /** Of controls of forms. */
+  readonly restore?: (element: HTMLElement, state: string) => void;
 }
 
-export const probeCode = /* @__PURE__ */ extraCode<FormCode>('<phong-probe>');
-export const exerciseCode = /* @__PURE__ */ extraCode<FormCode>('<phong-exercise>');
+const elementCodes: Partial<Record<keyof ElementTypes, ExtraCode<ElementCode>>> = {};
+
+export const elementCode = (tag: keyof ElementTypes): ExtraCode<ElementCode> =>
+  (elementCodes[tag] ??= extraCode(`<${tag}>`));
 
 /** Lays out the viewers of a comparison. */
 export interface Comparison extends ReactiveController {

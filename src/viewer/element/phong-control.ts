@@ -1,14 +1,56 @@
-// <phong-control>: one value of viewers, lights or meshes, anywhere on the page. Its chunk also
-// gives it properties.
-import type { PhongControl as PublicControl } from './elements.js';
-import { reportMissing } from '../model/provided-code.js';
+// <phong-control>: one value of viewers, lights or meshes, anywhere on the page. Its code, an extra,
+// also gives it properties.
 import { controlCode } from './extra-code.js';
-import type { ControlProperties } from './fields/control-properties.js';
-import { Base } from './child-element.js';
+import { fetchedElement } from './fetched-element.js';
+import type { Inputs, ValuesOf } from './fields/properties.js';
 import { withRows } from './panel-rows.js';
 
-// The accessors come from the table of fields.
-interface ControlElement extends ControlProperties {
+export interface ControlProperties {
+  /**
+   * Ids of viewers, lights or meshes, separated by spaces. All get the value; that of the first is
+   * shown. Default empty.
+   */
+  get for(): string;
+  set for(value: Accepted['for']);
+  /** The attribute to edit: any that these elements have. Default empty. */
+  get attribute(): string;
+  set attribute(value: Accepted['attribute']);
+  /**
+   * One number of a vector: `x`, `y`, `z`, or `kc`, `kl`, `kq` of `attenuation`. Null, the default:
+   * all three.
+   */
+  get component(): 'x' | 'y' | 'z' | 'kc' | 'kl' | 'kq' | null;
+  set component(value: Accepted['component']);
+  /**
+   * Values as the attribute's text, separated by `|`: a stepper through them, with back and
+   * forward. Default empty.
+   */
+  get values(): string;
+  set values(value: Accepted['values']);
+  /**
+   * Least number. Null, the default: as in the panel, where the slider grows to include the value.
+   */
+  get min(): number | null;
+  set min(value: Accepted['min']);
+  /** Greatest number. Null, the default: as in the panel. */
+  get max(): number | null;
+  set max(value: Accepted['max']);
+  /** Distance of the numbers. Null, the default: as in the panel. */
+  get step(): number | null;
+  set step(value: Accepted['step']);
+  /**
+   * `number` to drag, turn or type, or `slider` with that number, on a line of its own. Null, the
+   * default: a number within a line of text, otherwise a slider.
+   */
+  get type(): 'number' | 'slider' | null;
+  set type(value: Accepted['type']);
+}
+
+export type ControlValues = ValuesOf<ControlProperties>;
+type Accepted = Inputs<ControlValues>;
+
+/** Edits one value of viewers, lights or meshes, anywhere on the page. */
+export interface PhongControl extends HTMLElement, ControlProperties {
   readonly localName: 'phong-control';
 }
 
@@ -22,12 +64,15 @@ interface ControlElement extends ControlProperties {
  * @csspart input - each input, choice and button
  * @csspart unit - the unit of a number
  */
-class ControlElement extends Base implements PublicControl {
-  connectedCallback(): void {
-    withRows(controlCode).then(({ follow }) => follow(this), reportMissing);
-  }
-}
+class ControlElement
+  extends fetchedElement<PhongControl>(() => withRows(controlCode))
+  implements PhongControl {}
 
-export type PhongControl = PublicControl;
 export const PhongControl: { new (): PhongControl; readonly prototype: PhongControl } =
   ControlElement;
+
+declare module './elements.js' {
+  interface ElementTypes {
+    'phong-control': Types<PhongControl, ControlValues>;
+  }
+}

@@ -14,54 +14,10 @@ import type { JSX } from 'solid-js';
 import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 /** @ts-ignore */
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
-import type {
-  ElementsByTag,
-  PhongCompareEventMap,
-  PhongExerciseEventMap,
-  PhongMeshEventMap,
-  PhongProbeEventMap,
-  PhongViewerEventMap,
-  ValuesByTag,
-} from './elements.js';
+import type { ElementTypes as Elements } from './elements.js';
 import type { Inputs } from './fields/properties.js';
-import type { ViewerTexts } from './fields/texts.js';
-
-/** The events of the elements that have some. */
-interface Events {
-  'phong-mesh': PhongMeshEventMap;
-  'phong-viewer': PhongViewerEventMap;
-  'phong-compare': PhongCompareEventMap;
-  'phong-probe': PhongProbeEventMap;
-  'phong-exercise': PhongExerciseEventMap;
-}
-
-/** Properties without an attribute. */
-interface OwnProps {
-  'phong-viewer': ViewerOwnProps;
-  'phong-exercise': ExerciseOwnProps;
-}
-
-type Elements = {
-  [Tag in keyof ElementsByTag]: {
-    element: ElementsByTag[Tag];
-    values: ValuesByTag[Tag];
-    properties: Tag extends keyof OwnProps ? OwnProps[Tag] : object;
-    events: Tag extends keyof Events ? Events[Tag] : object;
-  };
-};
-
-/** Properties of `<phong-exercise>` without an attribute. */
-export interface ExerciseOwnProps {
-  readonly value?: string | undefined;
-}
 
 type AnyElement = Elements[keyof Elements];
-
-export interface ViewerOwnProps {
-  readonly texts?: ViewerTexts | null | undefined;
-  readonly maxTriangles?: number | null | undefined;
-  readonly maxMemory?: number | null | undefined;
-}
 
 type Dashed<S extends string> = S extends `${infer Head}${infer Tail}`
   ? `${Head extends Lowercase<Head> ? Head : `-${Lowercase<Head>}`}${Dashed<Tail>}`

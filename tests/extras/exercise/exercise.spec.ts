@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { assign } from '../../element/support/viewer.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
-import type { CheckDetail, PhongExercise } from '../../../src/viewer/element/elements.js';
+import type { CheckDetail, PhongExercise } from '../../../src/viewer/element/phong-exercise.js';
 import { expect, type Mount, test } from '../../support/test.js';
 import {
   REFUSED_ONES,
