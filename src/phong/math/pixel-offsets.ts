@@ -13,6 +13,13 @@
 // | Halton's, bases 2 and 3      | 0.071 | 0.050 | 0.018 | 0.006 |
 // | R2, by the plastic number    | 0.100 | 0.066 | 0.017 | 0.006 |
 // | random numbers               | 0.139 | 0.098 | 0.041 | 0.016 |
+// | golden lattice               | 0.057 | 0.035 | 0.012 | 0.004 |
+// | optimal transport            | 0.052 | 0.030 | 0.011 | 0.004 |
+//
+// The last two exist for one number of samples only. With 256 samples the lattice is 0.015 off at
+// edges along its rows; this sequence is 0.006 off at its worst angle. Sliced optimal transport
+// (Paulin et al. 2020) moves points until the error stops falling: 0.0038 beside 0.0047 here, 1.24
+// times less, the least that was found.
 
 /** Offset of sample `index`, from 0. Both coordinates are in [-0.5, 0.5). */
 export function pixelOffset(index: number): { readonly x: number; readonly y: number } {
