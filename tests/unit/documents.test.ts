@@ -77,6 +77,9 @@ describe('the documents', () => {
 
   it('introduce each folder of src, and each extra, in 10 to 30 lines beside the list of extras', () => {
     const extras = EXTRAS.map((name) => `extras/${name}`);
+    expect(linksOf('src/extras/README.md').map(({ file }) => dirname(file))).toEqual(
+      expect.arrayContaining(extras.map((name) => `src/${name}`)),
+    );
     for (const folder of ['phong', 'viewer', 'extras', ...extras]) {
       const isOfAnExtra = (line: string) => /^\| \[\w+\]\(\w+\/README\.md\)/.test(line);
       const text = read(`src/${folder}/README.md`).split('\n');
