@@ -4,18 +4,9 @@
 import { falloff, type LightValues } from '../../phong/light/light-state.js';
 import { LEAST_EXPONENT, NEAREST } from '../../phong/light/precision.js';
 import { cosDegrees, radians, sinDegrees } from '../../phong/math/angle.js';
-import { srgbDecode } from '../../phong/math/color.js';
+import { colorOf } from '../../phong/math/color.js';
 import { atan2 } from '../../phong/math/elementary.js';
-import {
-  add,
-  cross,
-  dot,
-  map,
-  normalize,
-  scale,
-  subtract,
-  type Vec3,
-} from '../../phong/math/vector.js';
+import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { EDGE, halfChord, power, toWorld } from '../../phong/reference/equation.js';
 import type { CastCamera } from './cast-scene.js';
 import { LightCells } from './light-cells.js';
@@ -117,8 +108,6 @@ function prepared(light: Readonly<LightValues>, camera: CastCamera, linear: bool
   const ofCamera = light.space === 'camera';
   const turned = (v: Vec3): Vec3 => (ofCamera ? toWorld(camera, v) : v);
   const given = turned([x, y, z]);
-  const color = (c255: Vec3): Vec3 =>
-    map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
   return {
     positional,
     /** The unit vector to a directional light; zero if it has none. */
@@ -132,9 +121,9 @@ function prepared(light: Readonly<LightValues>, camera: CastCamera, linear: bool
     /** Radians; at 180° no direction is compared. */
     aperture: radians(light.aperture),
     light,
-    ambient: color(light.ambient),
-    diffuse: color(light.diffuse),
-    specular: color(light.specular),
+    ambient: colorOf(light.ambient, linear),
+    diffuse: colorOf(light.diffuse, linear),
+    specular: colorOf(light.specular, linear),
     /** Its part in the pieces of the points that it reaches. */
     mark,
   };

@@ -1,7 +1,7 @@
 // Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind,
 // inactive and black lights left out. What is the same for all fragments is computed here in
 // float64.
-import { isBlack, srgbDecode } from '../math/color.js';
+import { channelOf, isBlack } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
 import { featuresOf, isSpot, kindOf } from './light-features.js';
 import { HEADER, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
@@ -149,9 +149,9 @@ function writeValue(
   // By index: taking an array apart costs more than all of the rest.
   const v = light[key] as Vec3;
   if (as === 'light') {
-    data[at] = channel(v[0], space.linear) * factor;
-    data[at + 1] = channel(v[1], space.linear) * factor;
-    data[at + 2] = channel(v[2], space.linear) * factor;
+    data[at] = channelOf(v[0], space.linear) * factor;
+    data[at + 1] = channelOf(v[1], space.linear) * factor;
+    data[at + 2] = channelOf(v[2], space.linear) * factor;
   } else if (as === 'numbers') {
     data[at] = v[0];
     data[at + 4] = v[1];
@@ -166,14 +166,11 @@ function writeValue(
   }
 }
 
-/** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */
-const channel = (c: number, linear: boolean) => (linear ? srgbDecode(c / 255) : c / 255);
-
 function addAmbient(sum: [number, number, number], color: Vec3, factor: number, linear: boolean) {
   if (isBlack(color)) return;
-  sum[0] += channel(color[0], linear) * factor;
-  sum[1] += channel(color[1], linear) * factor;
-  sum[2] += channel(color[2], linear) * factor;
+  sum[0] += channelOf(color[0], linear) * factor;
+  sum[1] += channelOf(color[1], linear) * factor;
+  sum[2] += channelOf(color[2], linear) * factor;
 }
 
 /**

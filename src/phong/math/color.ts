@@ -1,7 +1,7 @@
 // The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL
 // of the same curve is generated from SRGB. Colours by channels.
 import { pow } from './elementary.js';
-import type { Vec3 } from './vector.js';
+import { map, type Vec3 } from './vector.js';
 
 export const SRGB = {
   /** Encoded value up to which the curve is a straight line. */
@@ -31,6 +31,14 @@ export function srgbEncode(linear: number): number {
   if (linear <= SRGB.linearKnee) return linear * SRGB.slope;
   return (1 + SRGB.offset) * pow(linear, 1 / SRGB.exponent) - SRGB.offset;
 }
+
+/** A channel of 0–255 as the equation takes it: 255 is 1, decoded where shading is linear. */
+export const channelOf = (code: number, linear: boolean): number =>
+  linear ? srgbDecode(code / 255) : code / 255;
+
+/** {@link channelOf} of a colour. */
+export const colorOf = (codes: Vec3, linear: boolean): Vec3 =>
+  map(codes, (code) => channelOf(code, linear));
 
 /** All three components are 0. */
 export const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;

@@ -4,13 +4,12 @@
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import { falloff, type LightValues, type ShadedValue, type Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
-import { srgbDecode } from '../math/color.js';
+import { colorOf } from '../math/color.js';
 import {
   add,
   cross,
   dot,
   length,
-  map,
   multiply,
   negate,
   normalize,
@@ -40,12 +39,11 @@ export interface Given {
 
 /** A light with 1 as full, or decoded where shading is linear. */
 export function lampOf(light: Readonly<LightValues>, linear: boolean): Given['light'] {
-  const color = (own: Vec3): Vec3 => map(own, (x) => (linear ? srgbDecode(x / 255) : x / 255));
   return {
     ...light,
-    ambient: color(light.ambient),
-    diffuse: color(light.diffuse),
-    specular: color(light.specular),
+    ambient: colorOf(light.ambient, linear),
+    diffuse: colorOf(light.diffuse, linear),
+    specular: colorOf(light.specular, linear),
   };
 }
 

@@ -5,7 +5,7 @@ import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import { falloff, type LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { atan2, exp, log1p, pow } from '../math/elementary.js';
-import { srgbDecode, srgbEncode } from '../math/color.js';
+import { colorOf, srgbDecode, srgbEncode } from '../math/color.js';
 import {
   add,
   clamp,
@@ -142,16 +142,11 @@ export function coefficientsOf(surface: Surface, linear = false): Record<'ka' | 
   const { baseColor = WHITE, metalness = 0, lobeScale = 1, unlit = false } = surface;
   if (unlit) return { ka: BLACK, kd: BLACK, ks: BLACK };
   const base = decoded(baseColor, linear);
-  const k = (c255: Vec3): Vec3 =>
-    decoded(
-      map(c255, (c) => c / 255),
-      linear,
-    );
   return {
-    ka: multiply(k(surface.ka), base),
-    kd: scale(multiply(k(surface.kd), base), 1 - metalness),
+    ka: multiply(colorOf(surface.ka, linear), base),
+    kd: scale(multiply(colorOf(surface.kd, linear), base), 1 - metalness),
     ks: multiply(
-      k(surface.ks),
+      colorOf(surface.ks, linear),
       map(base, (b) => (1 - metalness) * lobeScale + metalness * b),
     ),
   };
@@ -191,7 +186,7 @@ function share(
   const { ka, kd, ks } = coefficientsOf(surface, linear);
   const term = (name: (typeof terms)[number], k: Vec3, i: Vec3, factor: number): Vec3 =>
     insideCone && terms.includes(name)
-      ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay)
+      ? scale(multiply(k, colorOf(i, linear)), factor * decay)
       : BLACK;
   return {
     L,
