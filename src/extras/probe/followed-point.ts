@@ -9,8 +9,9 @@ import {
   phrase,
 } from '../../viewer/extra.js';
 import { SLOP } from '../../phong/camera/kept-drag.js';
+import type { Size } from '../../phong/math/region.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { ARROWS, type Point, Projection } from '../overlay/drawing/projection.js';
+import { ARROWS, layerSize, type Point, Projection } from '../overlay/drawing/projection.js';
 import { KEYS } from '../overlay/probe/sum.js';
 import { askedOf, formOf, type ProbeValues } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
@@ -301,10 +302,8 @@ export class FollowedPoint {
     return hostOf(this.#viewer).size().zoom;
   }
 
-  /** The size of the layer over the picture, in CSS pixels. */
-  get #size(): { readonly width: number; readonly height: number } {
-    const { width, height } = hostOf(this.#viewer).size();
-    return { width: Math.max(width, 1), height: Math.max(height, 1) };
+  get #size(): Size {
+    return layerSize(hostOf(this.#viewer).size());
   }
 
   #placeOf(point: Vec3): Point | null {

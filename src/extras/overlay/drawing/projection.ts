@@ -3,6 +3,7 @@
 import { basisOf, type Basis, type Pose } from '../../../phong/camera/orbit.js';
 import type { ExtraHost } from '../../../viewer/extra.js';
 import { radians } from '../../../phong/math/angle.js';
+import type { Size } from '../../../phong/math/region.js';
 import {
   add,
   clamp,
@@ -27,13 +28,11 @@ export const ARROWS: Readonly<Record<string, readonly [right: number, down: numb
   ArrowDown: [0, 1],
 };
 
-interface Sight {
+/** `width` and `height`: CSS pixels of the layer, both above 0. */
+interface Sight extends Size {
   readonly pose: Pose;
   /** Vertical field of view, degrees. */
   readonly fov: number;
-  /** CSS pixels of the layer, both above 0. */
-  readonly width: number;
-  readonly height: number;
   /**
    * Of the picture in device pixels, which rounding makes slightly different. Default: that of the
    * layer.
@@ -47,10 +46,16 @@ export interface Ray {
   readonly direction: Vec3;
 }
 
+/** CSS pixels of the layer over a picture; at least 1 by 1. */
+export const layerSize = ({ width, height }: Size): Size => ({
+  width: Math.max(width, 1),
+  height: Math.max(height, 1),
+});
+
 /** Onto a layer of this size, of what `viewport` shows now. */
 export function projectionOf(
   { picture: { orbit, fit }, width, height }: ExtraHost['viewport'],
-  size: Pick<Sight, 'width' | 'height'>,
+  size: Size,
 ): Projection {
   const sight = { pose: orbit.pose, fov: fit.fov, ...size };
   // None before the first layout.

@@ -8,9 +8,10 @@ import {
   type ViewerTexts,
 } from '../../../viewer/extra.js';
 import { html, render } from 'lit';
+import type { Size } from '../../../phong/math/region.js';
 import { fileLayer } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
-import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
+import { layerSize, type Point, type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
@@ -81,10 +82,8 @@ export class ProbeView {
     return this.root.contains(this.#focus) || this.place.contains(this.#focus);
   }
 
-  /** CSS pixels of the layer; at least one. */
-  get size(): { readonly width: number; readonly height: number } {
-    const { width, height } = this.#host.size();
-    return { width: Math.max(width, 1), height: Math.max(height, 1) };
+  get size(): Size {
+    return layerSize(this.#host.size());
   }
 
   get middle(): Point {
