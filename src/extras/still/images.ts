@@ -9,7 +9,10 @@ import { IMAGE_SIDE_LIMIT } from '../models/limits.js';
 
 /** @throws ModelError for a format that is not read; Error for a broken file. */
 export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
-  if (TURNED.test(new TextDecoder('latin1').decode(bytes.subarray(0, 2 ** 16)))) {
+  // The Exif data, from their two bytes of length on: at most 64 kB.
+  const header = new TextDecoder('latin1').decode(bytes.subarray(0, 2 ** 17));
+  const exif = header.search(/(?<=\xff\xe1)..Exif|..eXIf/s);
+  if (TURNED.test(header.slice(exif, exif + 6 + 256 * bytes[exif]! + bytes[exif + 1]!))) {
     throw new ModelError('bad-model', 'A still cannot turn an image, as its Exif data say.');
   }
   const decode = bytes[0] === 0xff ? decodeJpeg : decodePng;
@@ -27,7 +30,7 @@ export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
   return { width, height, data, close: () => undefined };
 }
 
-/** Exif data before the pixels: an orientation from 2 to 8, in both orders of bytes. */
+/** An orientation from 2 to 8, in both orders of bytes. */
 const TURNED = /(\x12\x01\x03\0\x01\0\0\0|\x01\x12\0\x03\0\0\0\x01\0)[\x02-\x08]/;
 
 type Decoded = Omit<Pixels, 'close'>;

@@ -25,7 +25,9 @@ const CAREFUL = 64;
 
 /** Whether `count` samples are enough for colours that differ by `range` codes. */
 const isEnough = (count: number, range: number, isSmooth: boolean): boolean =>
-  isSmooth ? count >= 7.2 * range : 2 * count * Math.sqrt(count) >= range * range;
+  isSmooth
+    ? count >= 7.2 * range
+    : count >= CAREFUL && 2 * count * Math.sqrt(count) >= range * range;
 
 /** Most codes between Simpson's rule and that of lower order. */
 const AGREEMENT = 0.25;
@@ -142,9 +144,8 @@ function castPixel(
     if (count < CAREFUL && !isSmooth && count < most) continue;
     const taken = Math.min(count, most);
     isSmooth = meanOf(tracer, column, row, taken, piece) && isSmooth;
-    const range = Math.max(...high.map((most, k) => most - low[k]!));
-    const least = isSmooth ? 0 : CAREFUL;
-    if (taken === most || (count >= least && isEnough(count, range, isSmooth))) return;
+    const range = Math.max(...high.map((value, k) => value - low[k]!));
+    if (taken === most || isEnough(count, range, isSmooth)) return;
   }
 }
 

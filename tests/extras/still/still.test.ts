@@ -54,6 +54,9 @@ f 1 2 3 4
 f 5 6 7 8
 `)}"></phong-mesh>`;
 
+/** Exif data, in the order of bytes of "MM". */
+const ORIENTATION_6 = 'MM\0*\0\0\0\b\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0';
+
 describe('a still', () => {
   it('is a PNG of its pixels', async () => {
     const { png, pixels } = await draw(front('<phong-mesh geometry="torus"></phong-mesh>', ''));
@@ -244,13 +247,8 @@ describe('a still', () => {
 
   it.each([
     ['keeps the colour that a PNG declares transparent', 'tRNS', '\0\t\0\b\0\x07', '9,8,7,0'],
-    // An orientation of 6, in the order of bytes of "MM".
-    [
-      'refuses to turn an image',
-      'eXIf',
-      'MM\0*\0\0\0\b\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0',
-      'cannot turn',
-    ],
+    ['refuses to turn an image', 'eXIf', ORIENTATION_6, 'cannot turn'],
+    ['reads no orientation elsewhere', 'teSt', ORIENTATION_6, '9,8,7'],
   ])('%s', async (_, type, text, expected) => {
     const image = new PNG({ width: 1, height: 1 });
     image.data.set([9, 8, 7, 255]);
