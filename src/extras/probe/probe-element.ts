@@ -251,38 +251,14 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 
   #field(question: Question, title: string, texts: ViewerTexts | null): TemplateResult {
-    const { equation, channel, expected } = question;
-    const key = `${equation.term} ${equation.name} ${this.#shownKeys.length}`;
-    const attempt = this.#attempts.get(key) ?? {
-      typed: this.#initial[this.#shownKeys.length] ?? '',
-      expected,
-      verdict: null,
-      shown: false,
-    };
-    this.#attempts.set(key, attempt);
-    this.#shownKeys.push(key);
-    if (Math.abs(attempt.expected - expected) > 1e-6) {
-      // Another point, or another light, begins anew.
-      Object.assign(attempt, { expected, verdict: null, shown: false });
-    }
+    const attempt = this.#attemptOf(question);
     const { verdict, shown } = attempt;
     const disabled = this.element.matches(':disabled');
     const submit = (event: Event): void => {
       event.preventDefault();
       attempt.verdict = judge(attempt.typed, question, texts);
-      const { value, correct, mistake } = attempt.verdict;
-      const detail: AnswerDetail = {
-        term: equation.term,
-        light: equation.light,
-        channel: isGrey(equation) ? null : CHANNELS[channel]!,
-        text: attempt.typed,
-        expected,
-        value,
-        correct,
-        mistake,
-      };
       this.#render();
-      this.element.dispatchEvent(new CustomEvent('answer', { detail }));
+      this.#report(question, attempt.typed, attempt.verdict);
     };
     const show = (): void => {
       attempt.shown = !attempt.shown;
@@ -325,7 +301,36 @@ class Probe extends ExtraElement<ProbeValues> {
           >${verdict?.text}</output
         >
       </form>
-      ${shown ? html`<span class="math" dir="ltr">${mathOf(numbersOf(equation))}</span>` : nothing}`;
+      ${shown ? html`<span class="math" dir="ltr">${mathOf(numbersOf(question.equation))}</span>` : nothing}`;
+  }
+
+  /** What was typed so far. Another point, or another light, begins anew. */
+  #attemptOf({ equation, expected }: Question): Attempt {
+    const key = `${equation.term} ${equation.name} ${this.#shownKeys.length}`;
+    const attempt = this.#attempts.get(key) ?? {
+      typed: this.#initial[this.#shownKeys.length] ?? '',
+      expected,
+      verdict: null,
+      shown: false,
+    };
+    this.#attempts.set(key, attempt);
+    this.#shownKeys.push(key);
+    if (Math.abs(attempt.expected - expected) > 1e-6) {
+      Object.assign(attempt, { expected, verdict: null, shown: false });
+    }
+    return attempt;
+  }
+
+  #report({ equation, channel, expected }: Question, text: string, verdict: Verdict): void {
+    const detail: AnswerDetail = {
+      ...verdict,
+      term: equation.term,
+      light: equation.light,
+      channel: isGrey(equation) ? null : CHANNELS[channel]!,
+      text,
+      expected,
+    };
+    this.element.dispatchEvent(new CustomEvent('answer', { detail }));
   }
 
   /** The form's entries, one for each answer, and whether one is missing. */
