@@ -4,7 +4,6 @@ import { clip } from '../../../phong/fields/clip.js';
 import { nearest } from '../../../phong/fields/nearest.js';
 import tables from '../fields/texts.json';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
-import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
 
 /** Most unknown keys that a warning names. */
 const NAMED = 5;
@@ -12,31 +11,29 @@ const NAMED = 5;
 const KEYS: readonly string[] = Object.values(tables).flatMap(Object.keys);
 
 let sources: readonly string[] = [];
+let texts: ViewerTexts | null = null;
 
 /**
- * Reads all scripts, unless they are as they were. A key in a later script replaces that in an
- * earlier one.
+ * The texts of all scripts; the same object while they are as they were. A key in a later script
+ * replaces that in an earlier one.
  */
-export function readTexts(): void {
-  const found = Array.from(
-    document.querySelectorAll<HTMLScriptElement>(TEXT_SCRIPTS),
-    ({ text }) => text,
-  );
+export function readTexts(scripts: NodeListOf<HTMLScriptElement>): ViewerTexts | null {
+  const found = Array.from(scripts, ({ text }) => text);
   const isNew = (text: string) => !sources.includes(text);
-  if (found.length === sources.length && !found.some(isNew)) return;
+  if (found.length === sources.length && !found.some(isNew)) return texts;
   const all: ViewerTexts[] = [];
   for (const text of found) {
-    const texts = textsIn(text);
-    const mistake = typeof texts === 'string' ? texts : unknownKeys(texts);
+    const own = textsIn(text);
+    const mistake = typeof own === 'string' ? own : unknownKeys(own);
     if (mistake !== null && isNew(text)) {
       console.warn(`<script data-phong-viewer-texts> ${mistake}`);
     }
-    if (typeof texts === 'object') {
-      all.push(texts);
+    if (typeof own === 'object') {
+      all.push(own);
     }
   }
   sources = found;
-  declareTexts(Object.freeze(Object.assign({}, ...all) as ViewerTexts));
+  return (texts = Object.freeze(Object.assign({}, ...all) as ViewerTexts));
 }
 
 function textsIn(script: string): ViewerTexts | string {

@@ -4,7 +4,7 @@ import { lazyCode } from '../../../phong/lazy-code.js';
 import { reportMissing } from '../../model/provided-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 
-export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
+const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
 
 const markup = /* @__PURE__ */ lazyCode(() => import('./markup-texts.js'), 'texts in the markup');
 
@@ -23,11 +23,6 @@ export const pageTexts = (): ViewerTexts | null => texts;
 /** `PhongViewer.texts`. Throws TypeError for anything but an object of strings. */
 export function assignTexts(value: unknown): void {
   assigned = checkedTexts(value);
-  combine();
-}
-
-export function declareTexts(found: ViewerTexts | null): void {
-  declared = found;
   combine();
 }
 
@@ -58,5 +53,11 @@ export const leaveTexts = (user: TextUser): unknown => users.delete(user);
  */
 export function lookForTexts(): void {
   if (document.querySelector(TEXT_SCRIPTS) === null) return;
-  markup().then(({ readTexts }) => readTexts(), reportMissing);
+  markup().then(({ readTexts }) => {
+    const found = readTexts(document.querySelectorAll(TEXT_SCRIPTS));
+    if (found !== declared) {
+      declared = found;
+      combine();
+    }
+  }, reportMissing);
 }
