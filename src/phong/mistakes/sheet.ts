@@ -9,7 +9,6 @@ import {
   dot,
   length,
   map,
-  negate,
   normalize,
   perpendicular,
   scale,
@@ -74,12 +73,12 @@ export const SCENES = {
   }),
   cone: scene('spot', [-1.2, 0.9, 1.6, 1], 4, { axis: [1.6, -1.3, -2.2], aperture: 25 }),
   narrow: scene('spot', [0.3, -0.4, 2.6, 1], 5, { axis: [-0.3, 0.4, -2.8], aperture: 2.5 }),
-  soft: scene('spot', [1.1, -0.6, 1.7, 1], 6, { axis: [-1.5, 0.9, -2.4], cutoff: 3 }),
-  wide: scene('spot', [0.2, 0.3, 0.1, 1], 2, {
+  soft: scene('spot', [1.1, -0.6, -1.7, 1], 1, { axis: [-1.5, 0.9, 2.4], cutoff: 3 }),
+  wide: scene('spot', [0.2, 0.3, 0.1, 1], 1, {
     axis: [0.6, 1.2, 2.6],
     aperture: 100,
     cutoff: 1.5,
-    attenuation: [0.6, 0.3, 0.2],
+    attenuation: [0.4, 0.2, 0.1],
   }),
 } as const satisfies Readonly<Record<string, Scene>>;
 
@@ -99,17 +98,14 @@ export const sheetOf = (task: Task, count: number): SheetPoint[] =>
     pointsOf(name, task, count),
   );
 
-function pointsOf(name: SceneName, { terms, reflection }: Task, count: number): SheetPoint[] {
+function pointsOf(name: SceneName, task: Task, count: number): SheetPoint[] {
   const about: Scene = SCENES[name];
   const random = randomFrom(SCENE_NAMES.indexOf(name) + 1);
   const points: SheetPoint[] = [];
   while (points.length < count) {
-    const given = pointAt(about, random);
+    const given = pointAt(about, task, random);
     if (isFarFromJumps(given)) {
-      points.push({
-        scene: name,
-        given: { ...given, light: only(terms, given.light), reflection, terms },
-      });
+      points.push({ scene: name, given });
     }
   }
   return points;
@@ -121,7 +117,7 @@ export const only = (terms: readonly Term[], light: Lamp): Lamp => {
   return { ...light, ambient: of('ambient'), diffuse: of('diffuse'), specular: of('specular') };
 };
 
-function pointAt(about: Scene, random: () => number): Given {
+function pointAt(about: Scene, { terms, reflection }: Task, random: () => number): Given {
   const { axis, aperture, cutoff, attenuation, position, shininess } = about;
   const between = (low: number, high: number): number => low + (high - low) * random();
   const vector = (low: number, high: number): Vec3 => [
@@ -139,17 +135,16 @@ function pointAt(about: Scene, random: () => number): Given {
     const side = perpendicular(A);
     const around = add(scale(side, Math.cos(turn)), scale(cross(A, side), Math.sin(turn)));
     const along = add(scale(A, Math.cos(angle)), scale(around, Math.sin(angle)));
-    p = add([position[0], position[1], position[2]], scale(along, between(0.3, 3)));
+    p = add(placeOf({ light: about }), scale(along, between(0.3, 3)));
   }
   const eye: Vec3 = [between(-1.5, 1.5), between(-1, 2), between(2.5, 4)];
   const L = normalize(toLightOf({ light: about, p }));
-  // Half of the normals are those of a highlight, the others are anywhere.
+  // From the normal of the highlight to one that turns away from the light; half of them stray far.
   const V = normalize(subtract(eye, p));
-  const stray = random() < 0.5 ? 0.35 : 2;
-  const half = add(normalize(add(L, V)), vector(-stray, stray));
-  const away = random() < 0.25 ? negate(half) : half;
+  const stray = random() < 0.5 ? 0.35 : 1.5;
+  const toward = add(normalize(add(scale(L, between(-0.7, 1)), V)), vector(-stray, stray));
   return {
-    light: {
+    light: only(terms, {
       ambient: short(vector(0.1, 0.5)),
       diffuse: short(vector(0.4, 1)),
       specular: short(vector(0.4, 1)),
@@ -158,7 +153,7 @@ function pointAt(about: Scene, random: () => number): Given {
       aperture,
       cutoff,
       attenuation,
-    },
+    }),
     material: {
       ka: short(vector(0.2, 1)),
       kd: short(vector(0.2, 1)),
@@ -166,10 +161,10 @@ function pointAt(about: Scene, random: () => number): Given {
       shininess,
     },
     p: short(p),
-    normal: short(scale(normalize(away), between(about.normal, 1))),
+    normal: short(scale(normalize(toward), between(about.normal, 1))),
     eye: short(eye),
-    reflection: 'phong',
-    terms: ['ambient', 'diffuse', 'specular'],
+    reflection,
+    terms,
   };
 }
 
@@ -181,13 +176,20 @@ const short = (v: Vec3): Vec3 => map(v, (x) => Math.round(1000 * x) / 1000);
  * float32, and more than what three decimals of an input change.
  */
 function isFarFromJumps(given: Given): boolean {
-  const { light, normal } = given;
+  const { light, normal, eye, p } = given;
   const { aperture, axis } = light;
   const toLight = toLightOf(given);
   const L = normalize(toLight);
   const directed = normalize(placeOf(given));
-  if (length(toLight) < 0.2 || [L, directed].some((l) => Math.abs(dot(normal, l)) < 0.02))
+  // A picture shows the side toward the eye, so a function may turn the normal there.
+  const isSeen = dot(normal, subtract(eye, p)) > 0.02;
+  if (
+    !isSeen ||
+    length(toLight) < 0.2 ||
+    [L, directed].some((l) => Math.abs(dot(normal, l)) < 0.02)
+  ) {
     return false;
+  }
   if (aperture >= 180) return true;
   const A = normalize(axis);
   for (const [l, a] of [

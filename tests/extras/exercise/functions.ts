@@ -121,10 +121,13 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
   }
   vec3 ambient = one * m.ka * light.ambient;`,
   ]),
-  'terms in another order': changed([SUM, '(specular * att + diffuse * att + ambient) * decay']),
+  'a normal turned to the eye': changed([
+    'toLight / d;',
+    'toLight / d; if (dot(N, V) < 0.) N = -N;',
+  ]),
   'a mirrored vector by hand': changed(['reflect(-L, N)', '-L - 2.0 * dot(N, -L) * N']),
   'the eye mirrored in place of the light': changed(['dot(R, V)', 'dot(L, reflect(-V, N))']),
-  'a gate by a question mark': changed([GATE, '{'], [LOBE, `(NoL > 0.0 ? ${LOBE} : 0.0)`]),
+  'two gates': changed([GATE, '{'], [LOBE, `(NoL > 0.0 && dot(N, V) > 0.0 ? ${LOBE} : 0.0)`]),
   'a gate at the end': changed(
     [GATE, '{'],
     [SUM, 'decay * (ambient + att * (diffuse + (NoL > 0.0 ? specular : vec3(0.0))))'],
