@@ -15,6 +15,7 @@ import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
 import styles from './exercise.css?inline';
 import { kindOf } from '../../phong/light/light-features.js';
 import { type Fault, Refused, refused } from './guard.js';
+import { inTasks } from '../explain/in-tasks.js';
 import { paint } from './paint.js';
 import { pointsOf, underScene } from './picture.js';
 import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
@@ -179,7 +180,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       kinds: [kinds ?? [], present, KINDS].find((list) => list.length > 0)!,
       reflection: viewer.reflection,
     };
-    const own = await pointsOf(snapshot, task, signal);
+    const own = await inTasks(pointsOf(snapshot, task), signal);
     const picture =
       own === null || scene === null ? own : underScene(own, SCENES[scene], task.terms);
     this.#shown = await check(source, task, picture, signal);

@@ -1,7 +1,13 @@
 // The pictures of a run: the learner's, the exact one, and the difference.
 import { srgbEncode } from '../../phong/math/color.js';
-import { add, clamp, map } from '../../phong/math/vector.js';
-import { colorAt, type Colors, exactAt, type Work } from '../../phong/mistakes/judge.js';
+import { add, map } from '../../phong/math/vector.js';
+import {
+  colorAt,
+  type Colors,
+  exactAt,
+  shownValue,
+  type Work,
+} from '../../phong/mistakes/judge.js';
 import type { PicturePoints } from './picture.js';
 
 /** By the ids of their canvases. */
@@ -11,10 +17,7 @@ export function* imagesOf(picture: PicturePoints, colors: Colors): Work<Images> 
   const { width, height, cases, pixels, emissive, linear } = picture;
   const empty = () => new ImageData(width, height);
   const images = { own: empty(), exact: empty(), difference: empty() };
-  const shown = (sum: number) => {
-    const x = clamp(sum, 0, 1);
-    return linear ? srgbEncode(x) : x;
-  };
+  const shown = (sum: number) => (linear ? srgbEncode(shownValue(sum)) : shownValue(sum));
   for (const [i, pixel] of pixels.entries()) {
     const draw = (name: keyof Images, color: readonly number[]) =>
       images[name].data.set([...color.map((x) => 255 * x), 255], 4 * pixel);

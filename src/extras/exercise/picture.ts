@@ -1,14 +1,26 @@
 // The points of a viewer's picture, as a learner's function is given them: one for each pixel that
 // shows a surface, with each lamp in world space.
-import { srgbDecode } from '../../phong/math/color.js';
-import { add, dot, length, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
-import { type CameraAxes, coefficientsOf, toWorld } from '../../phong/reference/equation.js';
+import {
+  add,
+  dot,
+  length,
+  map,
+  ORIGIN,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../phong/math/vector.js';
+import {
+  type CameraAxes,
+  coefficientsOf,
+  decoded,
+  toWorld,
+} from '../../phong/reference/equation.js';
 import type { ViewerSnapshot } from '../../viewer/extra.js';
 import { pick, shadedPoint } from '../explain/pick.js';
 import { refused } from './guard.js';
 import { kindOf } from '../../phong/light/light-features.js';
 import type { Case, Work } from '../../phong/mistakes/judge.js';
-import { inTasks } from '../explain/in-tasks.js';
 import { lampOf } from '../../phong/mistakes/steps.js';
 import { type Lamp, NO_CONE, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
 
@@ -30,21 +42,13 @@ const MOST_PIXELS = 60_000;
 
 /**
  * Null where the viewer draws nothing. Throws {@link Refused} for an exponent that an exercise cannot
- * have, and the signal's reason after an abort.
+ * have.
  */
-export async function pointsOf(
+export function* pointsOf(
   { scene, lights }: ViewerSnapshot,
   task: Task,
-  signal: AbortSignal,
-): Promise<PicturePoints | null> {
-  return scene === null ? null : inTasks(pixelPoints(scene, lights, task), signal);
-}
-
-function* pixelPoints(
-  scene: NonNullable<ViewerSnapshot['scene']>,
-  lights: ViewerSnapshot['lights'],
-  task: Task,
-): Work<PicturePoints> {
+): Work<PicturePoints | null> {
+  if (scene === null) return null;
   const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
   const width = Math.max(Math.round(scene.width * shrink), 1);
   const height = Math.max(Math.round(scene.height * shrink), 1);
@@ -82,7 +86,7 @@ function* pixelPoints(
       };
       cases.push(lamps.map((light) => ({ ...given, light })));
       pixels.push(row * width + column);
-      emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
+      emissive.push(decoded(surface.emissive, linear));
     }
   }
   return { width, height, cases, pixels, axes: scene.frame, linear, emissive };
@@ -98,7 +102,7 @@ function placed(
   const isCamera = light.space === 'camera';
   const turned = (v: Vec3) => (isCamera ? toWorld(axes, v) : v);
   const [x, y, z, w] = light.position;
-  const place = add(isCamera && w === 1 ? eye : [0, 0, 0], turned([x, y, z]));
+  const place = add(isCamera && w === 1 ? eye : ORIGIN, turned([x, y, z]));
   const axis = turned(light.axis);
   return {
     ...lampOf(light, linear),
@@ -114,7 +118,7 @@ export function underScene(
   terms: Task['terms'],
 ): PicturePoints {
   const points = picture.cases.flat().map(({ p }) => p);
-  const center = scale(points.reduce<Vec3>(add, [0, 0, 0]), 1 / points.length);
+  const center = scale(points.reduce<Vec3>(add, ORIGIN), 1 / points.length);
   const size = points.reduce((most, p) => Math.max(most, length(subtract(p, center))), 1e-6);
   const { right, up, back } = picture.axes;
   const turned = (v: Vec3): Vec3 => [dot(right, v), dot(up, v), dot(back, v)];
