@@ -169,10 +169,10 @@ function withStops(lines: readonly string[]): string {
       const turn = codeOf(tokens.slice(i + 1, end));
       closers.set(head, `) if (exerciseStop(${line}, ${turn})) break; else`);
     } else if (isIndex) {
-      // 16,000 elements take a compiler a minute: an array has 63 at most.
-      closers.set(closing(tokens, i), ') & 63]');
+      // 16,000 elements take a compiler a minute: an array has 63 at most, and none of a larger size.
+      closers.set(closing(tokens, i), '), 64) & 63]');
     }
-    out[line - 1]! += ` ${closers.get(i) ?? (isIndex ? '[int(' : text)}`;
+    out[line - 1]! += ` ${closers.get(i) ?? (isIndex ? '[min(int(' : text)}`;
   }
   return out.join('\n');
 }

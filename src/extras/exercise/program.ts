@@ -59,7 +59,7 @@ bool exerciseStop(int line, int code) {
   return exerciseLine > 0;
 }
 uniform sampler2D exerciseData;
-out uvec4 exerciseResult;
+layout(location = 0) out uvec4 exerciseResult;
 vec4 exerciseLight(int i, int k) {
   return texelFetch(exerciseData, ivec2(6 * (i % ${WIDTH}) + k, i / ${WIDTH}), 0);
 }
@@ -271,10 +271,11 @@ function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer, glsl
 
 function faultIn(message: string, glsl: string): Fault {
   const [, part, number, said = message] = /^ERROR: (\d+):(\d+): (.*)$/.exec(message) ?? [];
-  const line = part === '1' ? Number(number) : null;
+  const lines = glsl.split('\n');
+  let line = part === '1' ? Number(number) : null;
   const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(said) ?? [];
-  const isOther = /same return type/.test(said) && /\bshade\b/.test(glsl.split('\n')[line! - 1]!);
-  let text = said.replace(/exercisePow/g, 'pow');
+  const isOther = /same return type/.test(said) && /\bshade\b/.test(lines[line! - 1]!);
+  let text = said.replace(/exercisePow/g, 'pow').replace('exerciseResult', 'the result of shade');
   if (name !== '') {
     text = RECURSION;
   } else if (isOther || said.includes('Function shade()')) {
@@ -283,12 +284,17 @@ function faultIn(message: string, glsl: string): Fault {
   return { text, values: { name }, line };
 }
 
+    // The guard sets each word apart.
+    line = lines.findIndex((own) => own.includes(` ${name} (`)) + 1 || null;
 const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';
 const NO_SHADE =
+  } else if (said.includes('array size')) {
+    text = ARRAY;
   'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 const OTHER_SHADE =
   'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
+const ARRAY = 'An array has 1 to 63 elements.';
 /** What a lamp's texels hold, in the order of the struct. */
 export const LAMP = [
   'ambient',

@@ -487,23 +487,17 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
   'no function': ['float x = 1.0;', 'There is no function shade'],
   'a prototype alone': [HEAD.replace(' {', ';'), 'There is no function shade'],
   'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
-  recursion: [
-    `${HEAD} return shade(light, m, p, normal, eye); }`,
-    'A function calls itself: shade',
-  ],
+  'a second result': [`layout(location = 0) out vec4 a;\n${RIGHT}`, "'the result of shade'"],
   'two that call each other': [
     `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
-    'A function calls itself: ',
+    'Line 1: A function calls itself: ',
   ],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
   'a missing semicolon': [
     RIGHT.replace('float d = length(toLight);', 'float d = length(toLight)'),
     'Line 6: ',
   ],
-  'an array of a product': [
-    `${HEAD} float a[60 * 60 * 60]; a[int(p.x)] = 1.0; return vec3(a[3]); }`,
-    'array size',
-  ],
+  'a long array': [`${HEAD} float a[10 * 10]; return vec3(a[3]); }`, 'Line 1: An array has'],
   'an endless loop': [`${HEAD} for (;;) {}\nfor (;;) {} return p; }`, LOOPS],
   'a loop that is long at some points': [
     `${HEAD} float s = 0.0; for (int i = 0; i < (p.x > 0.4 ? 2000000000 : 1); i++) s += 1.0; return vec3(s); }`,
