@@ -24,7 +24,6 @@ import { inTasks } from '../explain/in-tasks.js';
 import {
   only,
   type SceneName,
-  SCENE_NAMES,
   sheetOf,
   type SheetPoint,
   type Task,
@@ -39,7 +38,10 @@ export interface Verdict {
   readonly pixels: number;
   /** At which the result is not a number. */
   readonly undefinedPixels: number;
-  /** Empty where it is not one term alone, or not known. */
+  /**
+   * In which it is wrong where the power of a negative number is that of its absolute value. If it is
+   * right, it depends on such a power.
+   */
   readonly terms: readonly Term[];
   readonly difference: Difference;
   /** The pixel where it shows best; null where none is wrong. */
@@ -67,18 +69,16 @@ export async function check(
 ): Promise<Verdict> {
   const points = sheetOf(task, COUNT);
   const few = points.filter((_, i) => i % COUNT < ALONE);
-  const parts = [
-    points.map(({ given }) => [given]),
-    ...task.terms.map((term) =>
-      few.map(({ given }) => [{ ...given, light: only([term], given.light) }]),
-    ),
-    picture?.cases ?? [],
-  ];
-  const colors = await run(guarded(source), parts.flat(), signal);
+  const shared = [picture?.cases ?? [], points.map(({ given }) => [given])];
+  const alone = task.terms.map((term) =>
+    few.map(({ given }) => [{ ...given, light: only([term], given.light) }]),
+  );
+  const parts = [...shared, ...alone];
+  const colors = await run(guarded(source), parts.flat(), shared.flat().length, signal);
   return inTasks(verdictOf(points, parts, colors, picture, task), signal);
 }
 
-/** `parts`: the sheet, the same lit by each term that is asked for alone, and the picture. */
+/** `parts`: the picture, the sheet, and the sheet lit by each term that is asked for alone. */
 function* verdictOf(
   points: readonly SheetPoint[],
   parts: readonly (readonly Case[])[],
@@ -90,9 +90,9 @@ function* verdictOf(
   let from = 0;
   for (const [i, part] of parts.entries()) {
     const found = colors.subarray(3 * from, 3 * (from += part.length));
-    judged.push(yield* compare(part, found, i <= terms.length));
+    judged.push(yield* compare(part, found, i > 0));
   }
-  const [all, shown] = [judged[0]!, judged.at(-1)!];
+  const [shown, all, ...alone] = judged as [Judged, Judged, ...Judged[]];
   const right = isRight(all) && isRight(shown);
   const sample = yield* sampleOf(shown);
   const of = shown.count > 0 ? shown : all;
@@ -103,10 +103,11 @@ function* verdictOf(
     rightPixels: shown.count - shown.wrong.length,
     pixels: shown.count,
     undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
-    terms: terms.filter((_, i) => !isRight(judged[i + 1]!)),
+    terms: terms.filter((_, i) => !isRight(alone[i]!)),
     difference: differenceOf(all.wrong.length > 0 ? all : sample),
     worst: worstOf(shown, picture!),
-    scene: isRight(shown) && !right ? sceneOf(all, points) : null,
+    // Half of the wrong points come before: a scene with many of them.
+    scene: isRight(shown) && !right ? points[all.wrong[all.wrong.length >> 1]!]!.scene : null,
     images: picture === null ? null : yield* imagesOf(picture, shown.colors),
   };
 }
@@ -121,12 +122,6 @@ function sampleOf({ cases, colors, wrong }: Judged): Work<Judged> {
     kept.map((i) => cases[i]!),
     kept.flatMap((i) => colorAt(colors, i)),
   );
-}
-
-/** The scene in which it shows at most points. */
-function sceneOf({ wrong }: Judged, points: readonly SheetPoint[]): SceneName {
-  const count = (name: SceneName) => wrong.filter((i) => points[i]!.scene === name).length;
-  return [...SCENE_NAMES].sort((a, b) => count(b) - count(a))[0]!;
 }
 
 function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verdict['worst'] {

@@ -30,17 +30,19 @@ const WIDTH = 64;
 
 /**
  * The GLSL before a learner's text. Errors give the text's own lines, as source 1. The guard puts `exerciseStop`
- * into each turn of a loop. GLSL leaves the power of a negative number undefined, and some drivers
- * give that of its absolute value: here it is NaN. 0 to the power of 0, as for a lamp without cutoff,
- * is undefined too: here it is 1, as in the equation. `mediump` and `lowp` would be half floats on
+ * into each turn of a loop. GLSL leaves the power of a negative number undefined: here it is NaN, or
+ * that of its absolute value, as some drivers have it. 0 to the power of 0, as for a lamp without
+ * cutoff, is undefined too: here it is 1, as in the equation. `mediump` and `lowp` would be half floats on
  * phones, which make a right function wrong.
  */
 const PRELUDE = `precision highp float;
 precision highp int;
 precision highp sampler2D;
 ${GIVEN_GLSL};
+bool exerciseAbsolute = false;
 float exercisePow(float x, float y) {
-  return x < 0.0 ? uintBitsToFloat(0x7fc00000u) : y == 0.0 ? 1.0 : pow(x, y);
+  if (x < 0.0 && !exerciseAbsolute) return uintBitsToFloat(0x7fc00000u);
+  return y == 0.0 ? 1.0 : pow(abs(x), y);
 }
 vec2 exercisePow(vec2 x, vec2 y) {
   return vec2(exercisePow(x.x, y.x), exercisePow(x.y, y.y));
@@ -70,6 +72,7 @@ void main() {
   vec4 p = exercisePoint(0), normal = exercisePoint(1), eye = exercisePoint(2);
   vec4 a = exercisePoint(3), b = exercisePoint(4), c = exercisePoint(5);
   Material m = Material(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), eye.w);
+  exerciseAbsolute = c.y > 0.0;
   vec3 sum = vec3(0.0);
   for (int i = int(p.w); i < int(p.w + normal.w); i++) {
     a = exerciseLight(i, 0); b = exerciseLight(i, 1); c = exerciseLight(i, 2);
@@ -109,12 +112,14 @@ const FEWEST = 16;
 const MOST_WORK = 2e9;
 
 /**
- * The sums at the cases, three numbers each. Throws {@link Refused} where there are none, and the
+ * The sums at the cases, three numbers each. From the case `absolute` on a negative number has the
+ * power of its absolute value. Throws {@link Refused} where there are none, and the
  * signal's reason after an abort.
  */
 export async function run(
   glsl: string,
   cases: readonly Case[],
+  absolute: number,
   signal: AbortSignal,
 ): Promise<Float32Array> {
   const context = document
@@ -122,7 +127,7 @@ export async function run(
     .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
   if (context === null) throw refused('An exercise needs WebGL 2.');
   try {
-    const colors = await draw(context, glsl, cases, signal);
+    const colors = await draw(context, glsl, cases, absolute, signal);
     if (!context.isContextLost()) return colors;
   } catch (error) {
     if (!context.isContextLost()) throw error;
@@ -181,10 +186,11 @@ async function draw(
   context: WebGL2RenderingContext,
   glsl: string,
   cases: readonly Case[],
+  absolute: number,
   signal: AbortSignal,
 ) {
   const lines = Math.ceil(cases.length / WIDTH);
-  const texels = await inTasks(packed(cases, WIDTH * lines), signal);
+  const texels = await inTasks(packed(cases, absolute, WIDTH * lines), signal);
   const across = 6 * WIDTH;
   const data = new DataTexture(texels, across, texels.length / 4 / across, RGBAFormat, FloatType);
   data.needsUpdate = true;
@@ -278,23 +284,23 @@ function faultIn(message: string, glsl: string): Fault {
   let text = said.replace(/exercisePow/g, 'pow').replace('exerciseResult', 'the result of shade');
   if (name !== '') {
     text = RECURSION;
+    // The guard sets each word apart.
+    line = lines.findIndex((own) => own.includes(` ${name} (`)) + 1 || null;
   } else if (isOther || said.includes('Function shade()')) {
     text = /\bshade\s*\([^)]*\)\s*\{/.test(glsl) ? OTHER_SHADE : NO_SHADE;
+  } else if (said.includes('array size')) {
+    text = ARRAY;
   }
   return { text, values: { name }, line };
 }
 
-    // The guard sets each word apart.
-    line = lines.findIndex((own) => own.includes(` ${name} (`)) + 1 || null;
+const ARRAY = 'An array has 1 to 63 elements.';
 const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';
 const NO_SHADE =
-  } else if (said.includes('array size')) {
-    text = ARRAY;
   'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 const OTHER_SHADE =
   'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
-const ARRAY = 'An array has 1 to 63 elements.';
 /** What a lamp's texels hold, in the order of the struct. */
 export const LAMP = [
   'ambient',
@@ -308,7 +314,7 @@ export const LAMP = [
 ] as const;
 
 /** Six texels a case, and behind them six a lamp; each list of lamps once. */
-function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
+function* packed(cases: readonly Case[], absolute: number, count: number): Work<Float32Array> {
   const lamps: Lamp[] = [];
   const firsts = new Map<Lamp | undefined, number>();
   for (const at of cases) {
@@ -327,7 +333,18 @@ function* packed(cases: readonly Case[], count: number): Work<Float32Array> {
     const { material: m, p, normal, eye, light } = given;
     const first = firsts.get(light)!;
     texels.set(
-      [...p, first, ...normal, at.length, ...eye, m.shininess, ...m.ka, ...m.kd, ...m.ks],
+      [
+        ...p,
+        first,
+        ...normal,
+        at.length,
+        ...eye,
+        m.shininess,
+        ...m.ka,
+        ...m.kd,
+        ...m.ks,
+        Number(i >= absolute),
+      ],
       24 * i,
     );
   }

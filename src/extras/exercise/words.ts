@@ -18,6 +18,9 @@ const REGION_TEXTS = {
   lit: 'Only on the side toward the light.',
 } as const satisfies Record<Region, ViewerText>;
 
+const UNDEFINED_POWER =
+  'But it takes a power of a negative number, which GLSL leaves undefined: another GPU may draw something else.';
+
 export function sentencesFor(
   verdict: Verdict,
   hint: Exclude<ExerciseValues['hint'], 'none'>,
@@ -35,6 +38,7 @@ export function sentencesFor(
           : 'Right: within one 8-bit step at {right} of {count} pixels, and at the test scenes.',
         count,
       ),
+      ...(terms.length > 0 ? [say(UNDEFINED_POWER)] : []),
     ];
   }
   const list = (texts: readonly ViewerText[]) => texts.map((text) => say(text)).join(', ');

@@ -102,10 +102,13 @@ const GATE = 'if (NoL > 0.0) {';
 const SUM = 'decay * (ambient + att * (diffuse + specular))';
 const CONE = 'c < cos(radians(light.aperture))';
 
+/** Right where the undefined power of a negative number is not above 0. */
+export const UNDEFINED_POWER = changed([LOBE, 'max(pow(dot(R, V), m.shininess), 0.0)']);
+
 export const RIGHT_ONES: Readonly<Record<string, string>> = {
   'step by step': RIGHT,
-  'in short': SHORT,
-  'with functions and a loop': LONG,
+  'turned to the eye': changed(['toLight / d;', 'toLight / d; if (dot(N, V) < 0.) N = -N;']),
+  'two gates': changed([GATE, '{'], [LOBE, `(NoL > 0.0 && dot(N, V) > 0.0 ? ${LOBE} : 0.0)`]),
   'with an array, and loops without braces': changed([
     'vec3 ambient = m.ka * light.ambient;',
     `const int COUNT = 2 * 2;
@@ -121,17 +124,10 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
   }
   vec3 ambient = one * m.ka * light.ambient;`,
   ]),
-  'a normal turned to the eye': changed([
-    'toLight / d;',
-    'toLight / d; if (dot(N, V) < 0.) N = -N;',
-  ]),
   'a mirrored vector by hand': changed(['reflect(-L, N)', '-L - 2.0 * dot(N, -L) * N']),
   'the eye mirrored in place of the light': changed(['dot(R, V)', 'dot(L, reflect(-V, N))']),
-  'two gates': changed([GATE, '{'], [LOBE, `(NoL > 0.0 && dot(N, V) > 0.0 ? ${LOBE} : 0.0)`]),
-  'a gate at the end': changed(
-    [GATE, '{'],
-    [SUM, 'decay * (ambient + att * (diffuse + (NoL > 0.0 ? specular : vec3(0.0))))'],
-  ),
+  'in short': SHORT,
+  'with functions and a loop': LONG,
   'the angle in degrees': changed([CONE, 'degrees(acos(c)) > light.aperture']),
   'its result between 0 and 1': changed([SUM, `clamp(${SUM}, 0.0, 1.0)`]),
   'in Portuguese, with words of precision': `precision mediump float;
