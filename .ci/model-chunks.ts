@@ -20,7 +20,7 @@ export const modelChunks = [
   // What <phong-control> has in common with the panel.
   {
     name: 'panel-rows',
-    test: /\/src\/extras\/panel\/(?!(panel|flat-rows|full-screen|control|control-fields|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
+    test: /\/src\/extras\/panel\/(?!(panel|flat-rows|control|control-fields|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
   },
   {
     name: 'model-triangles',

@@ -107,39 +107,24 @@ export class Geometries {
     normalMap: Texture | null,
     targets: readonly MorphAccessors[],
   ): Promise<BufferGeometry> {
-    const source = mesh.geometry;
-    const attributes = await this.#attributesOf(source, uvs, normalMap !== null);
+    const attributes = await this.#attributesOf(mesh.geometry, uvs, normalMap !== null);
     const { count = 0, array: positions = [] } = attributes.get('position') ?? {};
     const shown = [...attributes.keys()];
-    if (isSkinned(mesh)) {
-      for (const name of JOINTS.flat()) {
-        if (source.hasAttribute(name)) {
-          attributes.set(name, source.getAttribute(name));
-        }
-      }
-    }
-    for (const [i, target] of targets.entries()) {
-      for (const [name, accessor] of Object.entries(target)) {
-        const vectors = await this.#source.accessor(accessor);
-        attributes.set(morphName(i, name), await this.#convert(vectors, floatPositions, 3));
-      }
-    }
+    await this.#addMoving(attributes, mesh, targets);
     for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
-    let corners = await this.#cornersOf(source.index, mode, count);
+    let corners = await this.#cornersOf(mesh.geometry.index, mode, count);
     const moves = isSkinned(mesh) || targets.length > 0;
-    const total = corners?.length ?? count;
     const own = attributes.get('normal');
     const { some, all } = own
-      ? await findNormals(own.array, positions, corners, total, this.#slices)
+      ? await findNormals(own.array, positions, corners, corners?.length ?? count, this.#slices)
       : NO_NORMALS;
     // Without any normal that has a direction they count as absent.
     const flat = !some;
     if (flat) {
-      for (const name of ['normal', 'tangent']) {
-        attributes.delete(name);
-      }
+      attributes.delete('normal');
+      attributes.delete('tangent');
     }
     const computed = normalMap !== null && !attributes.has('tangent');
     // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
@@ -160,9 +145,9 @@ export class Geometries {
       corners = null;
     }
     const geometry = new BufferGeometry();
-    for (const name of shown) {
-      if (attributes.has(name)) {
-        geometry.setAttribute(name, attributes.get(name)!);
+    for (const [name, attribute] of attributes) {
+      if (shown.includes(name)) {
+        geometry.setAttribute(name, attribute);
       }
     }
     if (!all) {
@@ -172,9 +157,7 @@ export class Geometries {
       }
       geometry.setAttribute('normal', normals);
     }
-    if (corners) {
-      geometry.setIndex(new BufferAttribute(corners, 1));
-    }
+    geometry.setIndex(corners && new BufferAttribute(corners, 1));
     if (computed) {
       await addTangents(geometry, normalMap, this.#slices);
     }
@@ -201,6 +184,25 @@ export class Geometries {
       attributes.set(name, await this.#convert(source.getAttribute(name), conversion, items));
     }
     return attributes;
+  }
+
+  /** What skins and morph targets move vertices by. */
+  async #addMoving(
+    attributes: Map<string, Attribute>,
+    mesh: Mesh,
+    targets: readonly MorphAccessors[],
+  ): Promise<void> {
+    for (const name of isSkinned(mesh) ? JOINTS.flat() : []) {
+      if (mesh.geometry.hasAttribute(name)) {
+        attributes.set(name, mesh.geometry.getAttribute(name));
+      }
+    }
+    for (const [i, target] of targets.entries()) {
+      for (const [name, accessor] of Object.entries(target)) {
+        const vectors = await this.#source.accessor(accessor);
+        attributes.set(morphName(i, name), await this.#convert(vectors, floatPositions, 3));
+      }
+    }
   }
 
   /** The vertex of each corner of whole triangles. Null if each vertex is a corner. */

@@ -80,20 +80,22 @@ export const read: ModelReader = async (source) => {
     // It takes a parsed document too, whatever its types say: a text would be parsed in one task.
     const { scene, parser } = await loader.parseAsync(document.json as unknown as string, '');
     source.signal.throwIfAborted();
-    const { animations, primitives, weights, instances } = document;
     const accessor = ({ index }: Accessor) =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
     const node = (index: number) => parser.getDependency('node', index) as Promise<Object3D>;
     const indicesOf = (object: Object3D): FileIndices | undefined =>
       parser.associations.get(object);
-    const file = { indicesOf, accessor, primitives, weights, instances, budget };
+    const file = { ...document, indicesOf, accessor, budget };
     const { parts, movable } = await collectParts(scene, file, slices);
     const dropped = new Set(document.dropped);
-    const place = nameOf(source.url);
-    const motion = await readMotion(place, animations, { node, accessor }, movable, parts, {
-      dropped,
-      slices,
-    });
+    const motion = await readMotion(
+      nameOf(source.url),
+      document.animations,
+      { node, accessor },
+      movable,
+      parts,
+      { dropped, slices },
+    );
     source.signal.throwIfAborted();
     return { ...ownedModel(parts, () => void images.close()), motion, dropped };
   } catch (error) {
