@@ -100,18 +100,7 @@ export class LightBuffer {
     }
     state.bindTexture(gl.TEXTURE_2D, this.#texture.sourceTexture as WebGLTexture);
     if (isNew) {
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-      // An H200 takes 1.4 to 1.9 times as long with a texture that repeats, the default.
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-      gl.texStorage2D(
-        gl.TEXTURE_2D,
-        1,
-        gl.RGBA32F,
-        TEXTURE_WIDTH,
-        this.#data.length / (TEXTURE_WIDTH * 4),
-      );
+      allocateTexture(gl, this.#data.length / (TEXTURE_WIDTH * 4));
     }
     // three.js keeps track of these since r184. Before, it set them for each upload.
     const unpack = 'pixelStorei' in state ? state : gl;
@@ -145,6 +134,16 @@ export class LightBuffer {
     this.#rows = grown.subarray(0, 0);
     this.dispose();
   }
+}
+
+/** For the bound texture, which is read by whole texels. */
+function allocateTexture(gl: WebGL2RenderingContext, height: number) {
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  // An H200 takes 1.4 to 1.9 times as long with a texture that repeats, the default.
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, height);
 }
 
 /** Sends rows [from, to) to the bound texture: a part of one line, or whole lines. */
