@@ -258,8 +258,8 @@ describe('the words', () => {
   });
 
   it('are true of the numbers as they are written, for every angle and exponent', () => {
-    const unit = between(-1, 1);
-    const exponent = fc.oneof(between(0, 200), fc.constantFrom(1e-6, 0.01, 1e4, 1e6));
+    const unit = fc.oneof(between(-1, 1), between(0.8, 1));
+    const exponent = fc.constantFrom(1e-6, 5, 17.4321, 1e6);
     const number = (text: string) => Number(text.replace('−', '-'));
     fc.assert(
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
@@ -279,7 +279,7 @@ describe('the words', () => {
           ?.slice(1)
           .map(number);
         if (power !== undefined) {
-          expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
+          expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.0006);
         }
         expect(power !== undefined, text).toBe(NoL > 0 && (RoV > 0 || shininess < 1e-6));
       }),

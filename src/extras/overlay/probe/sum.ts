@@ -238,7 +238,7 @@ function lobeText(
   return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
     cosines,
     ...lobeWords(texts, cosine, shininess),
-    exponent: localNumber(String(Number(exponent.toPrecision(3))), texts),
+    exponent: localNumber(String(Number(exponent.toPrecision(6))), texts),
     power: shortNumber(cosine ** exponent, 3, texts),
   });
 }
@@ -250,16 +250,19 @@ export const exponentOf = (shininess: number): number =>
 export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
   cosineWords(texts, NoL, 3);
 
-/** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
+/** R·V or N·H, and its angle, with the decimals that it takes to have the power shown. */
 export function lobeWords(
   texts: ViewerTexts | null,
   cosine: number,
   shininess: number,
 ): CosineWords {
   const exponent = exponentOf(shininess);
-  const isNear = (n: number) =>
-    Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
-  return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
+  const power = (x: number) => rounded(Math.max(x, 0) ** exponent, 3);
+  return cosineWords(
+    texts,
+    cosine,
+    decimals(3, (n) => power(rounded(cosine, n)) === power(cosine)),
+  );
 }
 
 type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
