@@ -161,7 +161,7 @@ function givenAt({ fragment, share, light, linear, halfway, term }: TermAt): Giv
 /** The words in braces. */
 function wordsOf(
   mistake: AnswerMistake,
-  { fragment, share, light, term, halfway, texts }: TermAt,
+  { fragment, share, term, halfway, texts }: TermAt,
 ): Readonly<Record<string, string>> {
   const name = term[0]!;
   const lobe = halfway ? 'N · H' : 'R · V';
@@ -173,7 +173,7 @@ function wordsOf(
     'coefficient-alone': `K${name}`,
     'without-intensity': `I${name}`,
     'without-att': 'att',
-    'without-decay': phrase(texts, 'decay'),
+    'without-decay': 'decay',
     'without-cosine': power,
     'cosine-alone': power,
   }[mistake as string];
@@ -192,7 +192,6 @@ function wordsOf(
     n,
     angle: mistake === 'radians' ? angle.slice(0, -1) : angle,
     number: shortNumber(255, 0, texts),
-    cutoff: String(light.cutoff),
   };
 }
 

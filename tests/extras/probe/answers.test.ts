@@ -31,7 +31,8 @@ function asked({ lights, surface, linear = false, halfway = false }: Given) {
     reflection,
   });
   const values = lights.map((one) => light(one));
-  return equationsOf(fragment, { lights: values, linear, halfway, terms: TERMS }, null);
+  const texts = { decay: 'Abfall' };
+  return equationsOf(fragment, { lights: values, linear, halfway, terms: TERMS }, texts);
 }
 
 const grey = (x: number): [number, number, number] => [x, x, x];
@@ -99,7 +100,7 @@ const spellings = (x: number) => [
 
 it('can be answered from what it shows, and takes that answer (seed 54)', () => {
   fc.assert(
-    fc.property(GIVEN, fc.integer({ min: 0, max: 2 }), (given, channel) => {
+    fc.property(GIVEN, fc.nat(2), (given, channel) => {
       for (const equation of asked(given)) {
         if (equation.term === 'sum') continue;
         const { values, facts } = givenOf(equation, channel);
@@ -143,11 +144,12 @@ it('says in words the formula that gives a factor, whatever the values of a ligh
 it('names the mistake that was made, or none, in over 200 answers, by one digit only if exact (seed 56)', () => {
   let [answers, named] = [0, 0];
   fc.assert(
-    fc.property(GIVEN, fc.integer({ min: 0, max: 2 }), (given, channel) => {
+    fc.property(GIVEN, fc.nat(2), (given, channel) => {
       for (const equation of asked(given)) {
         if (equation.term === 'sum') continue;
         const question = questionOf(equation, channel);
         for (const { mistake, value, text } of question.wrongs) {
+          expect(text).not.toContain('Abfall'); // the formula has the symbol
           const verdict = judge(value.toFixed(4), question, null);
           // That can be told from 0 and from the right one.
           const { expected } = question;
@@ -173,7 +175,7 @@ it('names the mistake that was made, or none, in over 200 answers, by one digit 
     { seed: 56, numRuns: repeats(800) },
   );
   expect(answers).toBeGreaterThan(200);
-  expect(named / answers, `${named} of ${answers}`).toBeGreaterThan(0.6);
+  expect(named / answers).toBeGreaterThan(0.6);
 });
 
 it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, percent, fractions and powers', () => {
@@ -201,9 +203,7 @@ it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, 
   ]) {
     expect(typedNumber(typed)?.value, typed).toBeCloseTo(0.75, 12);
   }
-  for (const typed of ['1/0', '1½', '3²', '0.5 * 100']) {
-    expect(typedNumber(typed), typed).toBeNull();
-  }
+  expect(['1/0', '1½', '3²', '0.5 * 100'].map(typedNumber)).toEqual([null, null, null, null]);
   const [, diffuse] = asked({ lights: [{ ...lamp, diffuse: grey(255) }] });
   expect(judge('1', questionOf(diffuse!, 0), null).mistake).toBeNull();
 });
