@@ -33,7 +33,7 @@ import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
 import { askedOf, formOf, isAsked, PROBE_FIELDS, type ProbeValues } from './probe-fields.js';
 
-/** Width in em from which a table has room for decimals, so that its rows add up. */
+/** Width in em from which a table has room for decimals. */
 const WIDE = 48;
 
 const SEPARATOR = '; ';
@@ -224,12 +224,13 @@ class Probe extends ExtraElement<ProbeValues> {
         `<phong-probe ask="${clip(this.values.ask)}">: no light of the viewer adds such a term here; everything is asked.`,
       );
     }
-    // One channel, in which most is to be seen.
-    const channel = sum.value.indexOf(Math.max(...sum.value));
     const shown = isSum || isAll ? equations : named;
     return html`<ul class="equations">
       ${shown.map((equation) => {
         const isOpen = isAll || (equation === sum) === isSum;
+        // One channel, in which most is to be seen. The terms of a sum have that of the sum.
+        const { value } = isSum || isAll ? sum : equation;
+        const channel = value.indexOf(Math.max(...value));
         const question =
           equation === sum
             ? sumQuestion(sum, lines, { fragment, linear, texts }, channel)
