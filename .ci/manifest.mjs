@@ -38,5 +38,5 @@ if (packageNow !== packageText) {
 
 /** @param {string} name @param {object} content */
 function write(name, content) {
-  writeFileSync(join(outputFolder('dist'), name), `${JSON.stringify(content, null, 2)}\n`);
+  writeFileSync(join(outputFolder('dist'), name), `${JSON.stringify(content)}\n`);
 }
