@@ -37,7 +37,8 @@ export const readmeSnippet = () =>
   /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
 
 /**
- * As WebP, by the browser: a third of the PNG's bytes, which every copy of the package would hold.
+ * As WebP, by the browser: a quarter of the PNG's bytes, which every copy of the package would hold.
+ * The lowest quality that looks the same: 0.8 shows blocks on the teapot, enlarged three times.
  * @param {import('@playwright/test').Page} page
  * @param {Buffer} png
  * @returns {Promise<Buffer>}
@@ -52,7 +53,7 @@ async function webpOf(page, png) {
       canvas.width = image.naturalWidth;
       canvas.height = image.naturalHeight;
       canvas.getContext('2d')?.drawImage(image, 0, 0);
-      return canvas.toDataURL('image/webp', 0.95).split(',')[1] ?? '';
+      return canvas.toDataURL('image/webp', 0.85).split(',')[1] ?? '';
     },
     `data:image/png;base64,${png.toString('base64')}`,
   );

@@ -64,8 +64,8 @@ test.describe('at the scale of the picture', () => {
     const stored = await decodeInPage(page, readFileSync(file));
     const { width } = stored;
     const scene = (picture: Picture) => columns(picture, 0, FREE_WIDTH);
-    // 0.0084 where it was stored, 0.0104 with another machine's fonts.
-    expect(compare(scene(drawn), scene(stored), 4).share).toBeLessThan(0.015);
+    // 0.0081 where it was stored. The file's compression alone changes 0.014 by more than four steps.
+    expect(compare(scene(drawn), scene(stored), 6).share).toBeLessThan(0.015);
     const panel = (picture: Picture) => cells(columns(picture, FREE_WIDTH, width));
     expect(compare(panel(drawn), panel(stored), 16).share).toBeLessThan(0.05);
   });
