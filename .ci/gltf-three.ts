@@ -16,7 +16,7 @@ const own =
 
 /** Files for what src/extras/models/gltf/document.ts takes out of each document before it is read. */
 const unreached =
-  /^(animation\/(AnimationClip|tracks\/\w+)|lights\/\w+|core\/InstancedBufferAttribute|materials\/(LineBasic|MeshPhysical|Points)Material|objects\/(InstancedMesh|Line\w*|Points))\.js$/;
+  /^(animation\/(AnimationClip|tracks\/\w+)|materials\/(LineBasic|Points)Material|objects\/(Line\w*|Points))\.js$/;
 
 /** What the ES modules of browsers import of three/src, or of GLTFLoader, is no import of theirs. */
 export const isOfGltfThree = (specifier: string): boolean =>

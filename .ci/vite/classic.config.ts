@@ -8,6 +8,7 @@ import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder } from '../draco-decoder.js';
+import { gltfLoader } from '../gltf-loader.js';
 import { nativeMath } from '../native-math.js';
 import { outputFolder } from '../output-folder.mjs';
 import { standaloneThree } from '../standalone-three/plugin.js';
@@ -22,6 +23,7 @@ export default defineConfig({
     basisTranscoder(),
     wasmFiles({ file: false }),
     standaloneThree(),
+    gltfLoader(),
     nativeMath(),
     strippedGlsl(),
     textKeys(),

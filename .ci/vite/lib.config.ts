@@ -10,6 +10,7 @@ import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from '../draco-decoder.js';
 import { entries, sourcePath } from '../entries.mjs';
+import { gltfLoader } from '../gltf-loader.js';
 import { gltfThree, isOfGltfThree } from '../gltf-three.js';
 import { inPage } from '../in-page.js';
 import { modelChunks } from '../model-chunks.js';
@@ -147,6 +148,7 @@ export default defineConfig(({ mode }) => ({
     strippedGlsl(),
     textKeys(),
     inPage(),
+    gltfLoader(),
     isForNode(mode) ? null : gltfThree(),
     decoderWorkers({ plugins: workerPlugins, files: mode !== 'still' }),
     beforeLit,

@@ -8,6 +8,7 @@ import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder } from '../draco-decoder.js';
+import { gltfLoader } from '../gltf-loader.js';
 import { minifiedAgain } from '../minified-again.js';
 import { modelChunks } from '../model-chunks.js';
 import { nativeMath } from '../native-math.js';
@@ -26,6 +27,7 @@ export default defineConfig({
     basisTranscoder(),
     wasmFiles(),
     standaloneThree(),
+    gltfLoader(),
     nativeMath(),
     strippedGlsl(),
     textKeys(),
