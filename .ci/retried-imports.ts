@@ -35,8 +35,8 @@ const ahead =
   'function $ahead(f){if($ahead[f])return;$ahead[f]=1;let l=document.createElement(`link`);l.rel=`preload`;l.as=`script`;l.crossOrigin=``;l.href=new URL(f,import.meta.url).href;l.onload=l.onerror=()=>l.remove();document.head?.append(l)}';
 
 /** Each of these is one request of a first picture. The first is requested with each of the others. */
-const MODELS = /\/model-content-/;
-const READERS = /\/read-\w+-/;
+const MODELS = /\/model-content\./;
+const READERS = /\/read-\w+\./;
 
 export function retriedImports(): Plugin {
   return {

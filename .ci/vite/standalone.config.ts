@@ -61,7 +61,9 @@ export default defineConfig({
       // A constant's value is shorter than its name, and repeated values compress well.
       optimization: { inlineConst: { mode: 'all' } },
       output: {
-        chunkFileNames: 'chunks/[name]-[hash].js',
+        // npm sorts files by name and compresses them in a row: with the full stop, each chunk comes
+        // next to that of the same name among the ES modules.
+        chunkFileNames: 'chunks/[name].[hash].js',
         minify: true,
         // Browsers keep a script's text: one byte for each character, or two where one character is
         // beyond Latin-1.

@@ -34,7 +34,7 @@ test('viewers without an alt are reported once, after the first picture', async 
     );
   await mount(viewer() + viewer() + viewer('alt="A box"'), size);
   await expect.poll(() => warnings).toEqual([WARNING]);
-  expect(await startOf('/diagnose-')).toBeGreaterThan(await startOf('picture'));
+  expect(await startOf('/diagnose.')).toBeGreaterThan(await startOf('picture'));
   await page.evaluate(() => document.body.append(document.createElement('phong-viewer')));
   await reported(page);
   expect(warnings).toHaveLength(1);

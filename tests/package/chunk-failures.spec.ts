@@ -70,7 +70,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
     for (const [chunk, use, sentence] of parts) {
-      const path = new RegExp(`/${chunk}(-[\\w-]{8})?\\.js`);
+      const path = new RegExp(`/${chunk}([-.][\\w-]{8})?\\.js`);
       await page.route(path, (route) => route.abort());
       for (let time = 0; time < 2; time++) {
         expect(await viewer.evaluate(useIn, use), chunk).toMatch(sentence);

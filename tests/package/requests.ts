@@ -58,11 +58,11 @@ export class Requests {
   }
 }
 
-/** `shared/panel.js` and `chunks/panel-D3adBeef.js` are both the chunk `panel`. */
+/** `shared/panel.js` and `chunks/panel.D3adBeef.js` are both the chunk `panel`. */
 export const chunkName = (path: string): string =>
   path
     .replace(/^shared\/(.*)\.js$/, '$1')
-    .replace(/^chunks\/(.*)-[\w-]{8}\.js$/, '$1')
+    .replace(/^chunks\/(.*)[-.][\w-]{8}\.js$/, '$1')
     .replace(/^chunks\/(.*\.wasm)$/, '$1');
 
 /** Bytes of this text as a server sends it, compressed by Brotli at its highest level. */

@@ -47,7 +47,7 @@ test('the first picture, drawn once, has the first viewer’s camera, however la
   page,
   mount,
 }) => {
-  const send = await holdBack(page, /\/camera-group-/);
+  const send = await holdBack(page, /\/camera-group\./);
   await mount(pair('theta="10" radius="5"', 'theta="80" phi="20"'), {
     ...size,
     waitForReady: false,

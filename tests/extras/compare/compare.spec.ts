@@ -342,7 +342,7 @@ test('without its code, the viewers are shown in a row, with a warning', async (
     /warning: <phong-viewer>: The code of <phong-compare> could not be fetched/,
     1,
   );
-  await page.route(/\/comparison-/, (route) => route.abort());
+  await page.route(/\/comparison\./, (route) => route.abort());
   const failed = page.waitForEvent('console', (message) =>
     message.text().includes('<phong-compare>'),
   );
@@ -350,7 +350,7 @@ test('without its code, the viewers are shown in a row, with a warning', async (
   await failed;
   const second = page.locator('phong-viewer').nth(1);
   expect(await second.boundingBox()).toMatchObject({ width: 150, height: 100 });
-  await page.unroute(/\/comparison-/);
+  await page.unroute(/\/comparison\./);
   await page.evaluate(() => document.body.append(document.querySelector('phong-compare')!));
   await expect(page.getByRole('separator')).toBeAttached();
 });

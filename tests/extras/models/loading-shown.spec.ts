@@ -213,7 +213,7 @@ test('the first picture has all shapes but those that fail; the poster goes', as
 }) => {
   consoleGuard.allow(/Failed to load resource/);
   let send: (() => void) | undefined;
-  const code = /\/(solids|teapot)-/;
+  const code = /\/(solids|teapot)\./;
   await page.route(code, async (route) => {
     if (route.request().url().includes('teapot')) return route.abort();
     await new Promise<void>((resolve) => (send = resolve));

@@ -200,7 +200,7 @@ test('the picture leaves the panel its place before its code is there, and is dr
   page,
   mount,
 }) => {
-  const send = await holdBack(page, /\/panel-/);
+  const send = await holdBack(page, /\/panel[-.]/);
   const viewer = (kind: string) =>
     `<phong-viewer class="${kind}" alt="${kind}" geometry="box" gui></phong-viewer>`;
   const compared = `<phong-compare>${viewer('split')}<phong-viewer alt="B" geometry="box"></phong-viewer></phong-compare>`;

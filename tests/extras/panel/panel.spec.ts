@@ -91,7 +91,7 @@ test('has the range of the whole scene, even if it is there before the shapes', 
   page,
   mount,
 }) => {
-  await page.route('**/teapot-*', async (route) => {
+  await page.route('**/teapot.*', async (route) => {
     await page.waitForSelector('[title=radius]');
     await route.continue();
   });
