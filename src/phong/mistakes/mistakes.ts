@@ -158,6 +158,27 @@ export const termScaled = (term: Term, by: number): Form => ({
   [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
 });
 
+/** Each term of the equation with another material or light. */
+const withOther = (other: (given: Given) => Given): readonly Form[] =>
+  TERMS.map((term): Form => ({
+    [term]: (so: Readonly<Values>, given: Given) => RIGHT[term](so, other(given)),
+  }));
+
+const WHITE: Vec3 = [1, 1, 1];
+
+export const WITHOUT_MATERIAL = withOther((given) => ({
+  ...given,
+  material: { ...given.material, ka: WHITE, kd: WHITE, ks: WHITE },
+}));
+
+export const WITHOUT_LIGHT = withOther((given) => ({
+  ...given,
+  light: { ...given.light, ambient: WHITE, diffuse: WHITE, specular: WHITE },
+}));
+
+/** The cosine itself in place of its power. */
+export const unraised: Form = { lobe: ({ cosine }) => Math.max(cosine, 0) };
+
 /** A table's type without its functions: the package's types would repeat each of them. */
 export const mistakeTable = <Id extends string, Sentence extends string>(
   mistakes: Readonly<Record<Id, Mistake<Sentence>>>,
@@ -275,8 +296,9 @@ export const MISTAKES = mistakeTable({
       reversedLambert,
       { ...reversedLambert, spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
       // Places only, or directions only.
-      { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -1 : 1) },
-      { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? 1 : -1) },
+      ...[1, -1].map((sign): Form => ({
+        L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -sign : sign),
+      })),
       // The cone or the decay only.
       ...byCosine(({ L, A }) => [L, negate(A)]),
       { c: ({ L, A }) => dot(L, A) },
@@ -298,7 +320,7 @@ export const MISTAKES = mistakeTable({
     sentence: 'The exponent is multiplied by, or missing: the cosine is raised to it.',
     forms: [
       { lobe: ({ cosine }, { material }) => Math.max(cosine, 0) * material.shininess },
-      { lobe: ({ cosine }) => Math.max(cosine, 0) },
+      unraised,
     ],
   },
   'exponent-on-diffuse': {
@@ -306,7 +328,7 @@ export const MISTAKES = mistakeTable({
     forms: [
       raisedLambert,
       // In the place of the highlight.
-      { ...raisedLambert, lobe: ({ cosine }) => Math.max(cosine, 0) },
+      { ...raisedLambert, ...unraised },
     ],
   },
   'specular-times-cosine': {
@@ -432,6 +454,14 @@ export const MISTAKES = mistakeTable({
       specularPlus,
       { ...diffusePlus, ...specularPlus },
     ],
+  },
+  'colour-missing': {
+    sentence: 'A colour is missing: each term is material times light.',
+    // In one term, or in all.
+    forms: [WITHOUT_MATERIAL, WITHOUT_LIGHT].flatMap((terms) => [
+      ...terms,
+      Object.assign({}, ...terms) as Form,
+    ]),
   },
   'scale-255': {
     sentence: 'A colour is multiplied or divided by 255: here 1 is full.',

@@ -10,6 +10,7 @@ import {
   length,
   map,
   normalize,
+  ORIGIN,
   perpendicular,
   scale,
   subtract,
@@ -120,11 +121,7 @@ export const only = (terms: readonly Term[], light: Lamp): Lamp => {
 function pointAt(about: Scene, { terms, reflection }: Task, random: () => number): Given {
   const { axis, aperture, cutoff, attenuation, position, shininess } = about;
   const between = (low: number, high: number): number => low + (high - low) * random();
-  const vector = (low: number, high: number): Vec3 => [
-    between(low, high),
-    between(low, high),
-    between(low, high),
-  ];
+  const vector = (low: number, high: number): Vec3 => map(ORIGIN, () => between(low, high));
   let p = vector(-1, 1);
   if (about.kind === 'spot') {
     // Mostly where a cone cuts, and some behind it.
@@ -181,10 +178,9 @@ function isFarFromJumps(given: Given): boolean {
   const toLight = toLightOf(given);
   const L = normalize(toLight);
   const directed = normalize(placeOf(given));
-  // A picture shows the side toward the eye, so a function may turn the normal there.
-  const isSeen = dot(normal, subtract(eye, p)) > 0.02;
   if (
-    !isSeen ||
+    // A picture shows the side toward the eye, so a function may turn the normal there.
+    dot(normal, subtract(eye, p)) < 0.02 ||
     length(toLight) < 0.2 ||
     [L, directed].some((l) => Math.abs(dot(normal, l)) < 0.02)
   ) {

@@ -4,7 +4,14 @@
 import { radians } from '../math/angle.js';
 import { TERMS } from '../light/light-state.js';
 import { clamp, scale, type Vec3 } from '../math/vector.js';
-import { type Form, mistakeTable, termScaled } from './mistakes.js';
+import {
+  type Form,
+  mistakeTable,
+  termScaled,
+  unraised,
+  WITHOUT_LIGHT,
+  WITHOUT_MATERIAL,
+} from './mistakes.js';
 import { type Given, power, RIGHT, type Values } from './steps.js';
 
 const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
@@ -12,8 +19,6 @@ const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / 
 const sineOf = (cosine: number): number => Math.sqrt(Math.max(1 - cosine * cosine, 0));
 
 const grey = (x: number): Vec3 => [x, x, x];
-
-const WHITE = grey(1);
 
 /** The cosine of each term replaced by a function of the right one. */
 const cosines = (wrong: (cosine: number) => number): readonly Form[] => [
@@ -27,12 +32,6 @@ const alone = (form: Form): Form => ({
   shares: () => ({ ambient: 1, diffuse: 1, specular: 1 }),
 });
 
-/** Each term of the equation with another material or light. */
-const withOther = (other: (given: Given) => Given): readonly Form[] =>
-  TERMS.map((term): Form => ({
-    [term]: (so: Values, given: Given) => RIGHT[term](so, other(given)),
-  }));
-
 const LEFT_OUT = 'That is the value without {factor}.';
 const INSTEAD = 'That is the value with {wrong} in place of {right}.';
 const ALONE = 'That is {factor} alone.';
@@ -40,24 +39,18 @@ const ALONE = 'That is {factor} alone.';
 export const SLIPS = mistakeTable({
   'without-coefficient': {
     sentence: LEFT_OUT,
-    forms: withOther((given) => ({
-      ...given,
-      material: { ...given.material, ka: WHITE, kd: WHITE, ks: WHITE },
-    })),
+    forms: WITHOUT_MATERIAL,
   },
   'without-intensity': {
     sentence: LEFT_OUT,
-    forms: withOther((given) => ({
-      ...given,
-      light: { ...given.light, ambient: WHITE, diffuse: WHITE, specular: WHITE },
-    })),
+    forms: WITHOUT_LIGHT,
   },
   'without-att': { sentence: LEFT_OUT, forms: [{ att: () => 1 }] },
   'without-decay': { sentence: LEFT_OUT, forms: [{ decay: () => 1 }] },
   'without-cosine': { sentence: LEFT_OUT, forms: [{ lambert: () => 1 }, { spec: () => 1 }] },
   'without-exponent': {
     sentence: 'That is the value without the exponent {n}.',
-    forms: [{ lobe: ({ cosine }) => Math.max(cosine, 0) }],
+    forms: [unraised],
   },
   angle: {
     sentence: '{cosine} is a cosine: the angle is {angle}.',

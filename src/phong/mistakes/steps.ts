@@ -170,14 +170,10 @@ export function valuesAt(given: Given, wrong: Partial<Steps> = {}): Values {
 
 /** The equation of {@link valuesAt}. */
 export function evaluate(given: Given, wrong?: Partial<Steps>): LightTerms {
-  const { ambient, diffuse, specular, shares, full } = valuesAt(given, wrong);
-  const term = (name: Term, value: Vec3): Vec3 =>
-    given.terms.includes(name) ? scale(value, shares[name] * full) : BLACK;
-  return {
-    ambient: term('ambient', ambient),
-    diffuse: term('diffuse', diffuse),
-    specular: term('specular', specular),
-  };
+  const so = valuesAt(given, wrong);
+  const term = (name: Term): Vec3 =>
+    given.terms.includes(name) ? scale(so[name], so.shares[name] * so.full) : BLACK;
+  return { ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
 }
 
 export const sumOfTerms = ({ ambient, diffuse, specular }: LightTerms): Vec3 =>
