@@ -10,6 +10,7 @@ import type {
   PictureOptions,
   ShadeOptions,
 } from './elements.js';
+import type { ElementCode } from './fetched-element.js';
 import type { ExtraRows } from './panel-rows.js';
 import type { ViewerSnapshot } from './viewer/extra-host.js';
 
@@ -32,14 +33,6 @@ export const panelCode = /* @__PURE__ */ extraCode<{
 export const controlCode = /* @__PURE__ */ extraCode<
   ElementCode & { readonly takeRows: (rows: ExtraRows) => void }
 >('<phong-control>');
-
-/** The code of an element that is fetched. */
-export interface ElementCode {
-  /** An element is on the page. */
-  readonly follow: (element: HTMLElement) => void;
-  /** Of controls of forms. */
-  readonly restore?: (element: HTMLElement, state: string) => void;
-}
 
 const elementCodes: Partial<Record<keyof ElementTypes, ExtraCode<ElementCode>>> = {};
 

@@ -2,7 +2,6 @@
 // there, and what controls of forms are after it.
 import { reportMissing } from '../model/provided-code.js';
 import { Base } from './child-element.js';
-import type { ElementCode } from './extra-code.js';
 
 /** What <phong-probe> and <phong-exercise> have as HTML's own controls of forms do. */
 export interface FormControl {
@@ -17,6 +16,14 @@ export interface FormControl {
   readonly willValidate: boolean;
   checkValidity(): boolean;
   reportValidity(): boolean;
+}
+
+/** The code of an element that is fetched. */
+export interface ElementCode {
+  /** An element is on the page. */
+  readonly follow: (element: HTMLElement) => void;
+  /** Of controls of forms. */
+  readonly restore?: (element: HTMLElement, state: string) => void;
 }
 
 /**
