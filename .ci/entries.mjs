@@ -44,6 +44,7 @@ const all = [
   { name: 'phong-viewer.lazy', source: 'extras/lazy/index.ts' },
   { name: 'playwright', source: 'extras/playwright/index.ts', as: './playwright', node: true },
   { name: 'still', source: 'extras/still/index.ts', as: './still', node: true },
+  { name: 'still-threads', source: 'extras/still/threads.ts', node: true },
   { name: 'still-worker', source: 'extras/still/worker.ts', node: true },
   { name: 'still-markup', source: 'extras/png/index.ts', as: './still/markup' },
   { name: 'cli', source: 'extras/still/command/cli.ts', node: true },

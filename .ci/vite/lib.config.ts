@@ -127,12 +127,15 @@ const withoutDecoders: Plugin = {
   load: (id) => (id === '\0none' ? 'export {};' : null),
 };
 
-/** dist/cli.js imports dist/still.js. */
+/** dist/cli.js imports dist/still.js. That and its worker import dist/still-threads.js. */
 const besideStill: Plugin = {
   name: 'beside-still',
   enforce: 'pre',
-  resolveId: (specifier) =>
-    specifier === '../index.js' ? { id: './still.js', external: 'relative' } : null,
+  resolveId(specifier) {
+    if (specifier === '../index.js') return { id: './still.js', external: 'relative' };
+    if (specifier === './threads.js') return { id: './still-threads.js', external: 'relative' };
+    return null;
+  },
 };
 
 const isForNode = (mode: string): boolean => entryOf(mode).node === true;
@@ -156,7 +159,7 @@ export default defineConfig(({ mode }) => ({
     mode === 'react-lazy' ? attributesAlone : null,
     entryOf(mode).client === true ? clientFile : null,
     mode === 'still' ? withoutDecoders : null,
-    mode === 'cli' ? besideStill : null,
+    /^(cli|still|still-worker)$/.test(mode) ? besideStill : null,
     licences({ listed: false }),
   ],
   build: {

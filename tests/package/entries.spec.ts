@@ -45,7 +45,7 @@ test.describe('the packed package', () => {
     /^(demo\/guide\/[a-z]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|demo\/assets\/images\/readme\.webp)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|react-lazy|lazy|playwright)\.js$/,
     /^dist\/react(-standalone|-lazy)?-client\.js$/,
-    /^dist\/(still(-worker|-markup)?|cli|check)\.js$/,
+    /^dist\/(still(-threads|-worker|-markup)?|cli|check)\.js$/,
     /^dist\/still\/[\w-]+\.js$/,
     /^dist\/phong-viewer\.(standalone|classic|lazy)\.js$/,
     /^dist\/embed\.(html|js)$/,
@@ -67,7 +67,7 @@ test.describe('the packed package', () => {
 
   test('is not larger than measured', () => {
     packedFiles();
-    expect(packedBytes).toBeLessThan(1_704_000); // measured 1.702 MB, of which 0.25 MB unpack KTX2
+    expect(packedBytes).toBeLessThan(1_700_000); // measured 1.696 MB, of which 0.25 MB unpack KTX2
   });
 
   test('holds each decoder once', () => {
