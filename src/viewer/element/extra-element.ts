@@ -3,6 +3,7 @@
 // HTML's own controls of forms have. Only their code imports it: the first file does without.
 import { type Fields, FieldStore } from '../../phong/fields/field-store.js';
 import type { PhongViewer } from './elements.js';
+import { internalsOf } from './fetched-element.js';
 import { defineProperties, FieldBinding } from './fields/field-binding.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import ownText from './page/own-text.css?inline';
@@ -57,7 +58,7 @@ export abstract class ExtraElement<V extends object> {
 
   constructor(element: HTMLElement, fields: Fields<V>, styles: readonly string[]) {
     this.element = element;
-    this.internals = element.attachInternals();
+    this.internals = internalsOf.get(element)!;
     this.root = element.attachShadow({ mode: 'open', delegatesFocus: true });
     this.#styles = styles;
     const binding = new FieldBinding(element, new FieldStore(fields));

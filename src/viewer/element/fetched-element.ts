@@ -26,6 +26,9 @@ export interface ElementCode {
   readonly restore?: (element: HTMLElement, state: string) => void;
 }
 
+/** Attached at once: a document that an element has moved to may not know its tag. */
+export const internalsOf = new WeakMap<HTMLElement, ElementInternals>();
+
 /**
  * The class of an element whose code is fetched with the first one on a page, and gives it its
  * members. The callbacks of forms are for classes that are `formAssociated`.
@@ -34,6 +37,11 @@ export const fetchedElement = <E extends HTMLElement>(
   code: () => Promise<ElementCode>,
 ): new () => E =>
   class extends Base {
+    constructor() {
+      super();
+      internalsOf.set(this, this.attachInternals());
+    }
+
     connectedCallback(): void {
       code().then(({ follow }) => follow(this), reportMissing);
     }
