@@ -26,5 +26,6 @@ export { historyOf, type Subject } from './element/viewer/history.js';
 export type { ExtraRows } from './element/panel-rows.js';
 export { PANEL_PLACE } from './element/viewer/viewer-panel.js';
 export { type LoadOptions, modelCode, readerCode } from './model/request-model.js';
+export { afterPictures } from './scene/frame-loop.js';
 export { stage } from './scene/gpu/stage.js';
 export type { SampledViewport } from './scene/still-picture.js';

@@ -35,11 +35,11 @@ const tokensBelow = (folder: string) =>
 
 const BUDGETS = {
   'src/phong': 69_770,
-  'src/viewer': 59_640,
+  'src/viewer': 59_950,
   'src/extras/models': 65_960,
   'src/extras/overlay': 30_380,
   'src/extras/probe': 11_910,
-  'src/extras/panel': 19_460,
+  'src/extras/panel': 19_480,
   'src/extras/still': 22_210,
   'src/extras/png': 1_940,
   'src/extras/lazy': 830,
@@ -50,7 +50,7 @@ const BUDGETS = {
   'src/extras/frameworks': 1_070,
   'src/extras/exercise': 10_700,
   'src/extras/diagnosis': 2_280,
-  tests: 493_840,
+  tests: 494_020,
 };
 
 it.each(Object.entries(BUDGETS))('%s has no more tokens than its budget', (folder, most) => {

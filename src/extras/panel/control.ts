@@ -3,6 +3,7 @@
 import { GUI } from 'lil-gui';
 import {
   addStyles,
+  afterPictures,
   ExtraElement,
   historyOf,
   type PhongViewer,
@@ -160,7 +161,9 @@ class Control extends ExtraElement<ControlValues> {
   }
 
   #listen(gui: GUI, targets: readonly Editable[], range: SceneRange): void {
-    const refresh = (): void => {
+    const refresh = (): void => afterPictures(this.element, update);
+    const update = (): void => {
+      if (this.#gui !== gui) return;
       if (viewerOf(targets[0]!)?.texts !== this.#viewerTexts?.texts) {
         this.declared();
         return;

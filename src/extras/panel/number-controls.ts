@@ -70,8 +70,8 @@ export class Slider implements RowInput {
   readonly #bound: Bound<number>;
   readonly #travel: () => SliderScale;
   #dragging = false;
-  /** What was written last; empty once the user has moved it. */
-  #shown = '';
+  /** What was written last. */
+  #range = '';
 
   /** `travel`: the scale while the value lies within it; read again at each update. */
   constructor(bound: Bound<number>, travel: () => SliderScale) {
@@ -94,7 +94,6 @@ export class Slider implements RowInput {
       });
     }
     input.addEventListener('input', () => {
-      this.#shown = '';
       accepted(() => (bound.value = this.scale.value(Number(input.value))));
     });
   }
@@ -104,17 +103,15 @@ export class Slider implements RowInput {
     const { input } = this;
     if (!this.#dragging) {
       const { start, end, step } = (this.scale = this.#travel().reaching(value));
-      const place = this.scale.place(value);
-      const shown = [start, end, step, place].join();
+      const range = [start, end, step].join();
       // Each write lays the row out again, even one of the same value.
-      if (this.#shown !== shown) {
-        this.#shown = shown;
-        Object.assign(input, {
-          min: String(start),
-          max: String(end),
-          step: String(step),
-          value: String(place),
-        });
+      if (this.#range !== range) {
+        this.#range = range;
+        Object.assign(input, { min: start, max: end, step });
+      }
+      const place = String(this.scale.place(value));
+      if (input.value !== place) {
+        input.value = place;
       }
     }
     const text = numberText(value, this.scale.end - this.scale.start, this.scale.decimals);

@@ -3,6 +3,7 @@
 // ring marks the point in pictures without a probe of their own.
 import {
   addStyles,
+  afterPictures,
   type FragmentExplanation,
   hostOf,
   type PhongViewer,
@@ -107,6 +108,10 @@ export class FollowedPoint {
 
   /** Explains the point again, because anything may have changed. */
   update(): void {
+    afterPictures(this.#viewer, this.#update, true);
+  }
+
+  readonly #update = (): void => {
     const viewer = this.#viewer;
     this.#again = this.#busy;
     if (this.#busy || !this.#ring.isConnected || !viewer.loaded) return;
@@ -115,17 +120,14 @@ export class FollowedPoint {
       if (this.#isOver) return;
       this.fragment = fragment;
       this.#mark();
+      this.#busy = false;
       this.#changed(error);
-      // Not at once: a listener may have changed the viewer, which would never end.
-      viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
-        this.#busy = false;
-        if (this.#again) {
-          this.update();
-        }
-      });
+      if (this.#again) {
+        this.update();
+      }
     };
     this.#explain().then(done, (error: unknown) => done(null, error as Error));
-  }
+  };
 
   stop(): void {
     this.#listening.abort('stopped');

