@@ -134,9 +134,9 @@ export class SharedPage {
 function drawAtOnce() {
   const gl = WebGL2RenderingContext.prototype;
   const { clientWaitSync } = gl;
-  // An exercise waits for its own drawing. Its context has no depth.
+  // An exercise waits for its own drawing. Its context has no depth; a lost one has no attributes.
   gl.clientWaitSync = function (...given) {
-    if (this.getContextAttributes()!.depth) return this.ALREADY_SIGNALED;
+    if (this.getContextAttributes()?.depth) return this.ALREADY_SIGNALED;
     return clientWaitSync.apply(this, given);
   };
 }
