@@ -7,7 +7,7 @@ import type { Vec3 } from '../src/phong/math/vector.js';
 import { shade } from '../src/phong/reference/equation.js';
 
 /** Points of each scene: each form of each mistake is seen at four of them or more. */
-const COUNT = 15;
+const COUNT = 20;
 
 export interface VectorRow {
   readonly scene: string;
