@@ -1,5 +1,5 @@
 // A verdict in sentences, as much of it as the exercise's `hint` allows.
-import { VIEW_TABLE } from '../../phong/material/view/view-table.js';
+import type { Term } from '../../phong/light/light-state.js';
 import { map, type Vec3 } from '../../phong/math/vector.js';
 import { MISTAKES, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import type { ViewerText } from '../../viewer/extra.js';
@@ -9,6 +9,12 @@ import type { Fault } from './guard.js';
 import type { Region } from '../../phong/mistakes/judge.js';
 
 type Say = (text: ViewerText, values?: Fault['values']) => string;
+
+const TERM_NAMES = {
+  ambient: 'Ambient term',
+  diffuse: 'Diffuse term',
+  specular: 'Specular term',
+} as const satisfies Record<Term, ViewerText>;
 
 const REGION_TEXTS = {
   away: 'Only on the side away from the light.',
@@ -50,7 +56,7 @@ export function sentencesFor(
   const named = hint === 'what' ? mistakes : [];
   sentences.push(...named.map((id) => say(MISTAKES[id].sentence)));
   if (terms.length > 0) {
-    const names = list(terms.map((term) => VIEW_TABLE[term].title));
+    const names = list(terms.map((term) => TERM_NAMES[term]));
     sentences.push(say('It differs in: {terms}.', { terms: names }));
   }
   if (named.length === 0) {
