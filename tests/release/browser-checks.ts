@@ -218,17 +218,18 @@ export const CHECKS: readonly Check[] = [
       await expect.poll(async () => (await cameraOf(tab)).theta).toBe(75);
       await tab.drag([150, 200], [60, 0]);
       await expect.poll(async () => (await cameraOf(tab)).theta).toBe(39);
-      const shown = await tab.run(
-        () =>
-          [
-            ...document
-              .querySelector('phong-viewer')!
-              .shadowRoot!.querySelectorAll('.lil-controller'),
-          ]
-            .find((row) => row.querySelector('.lil-name')?.textContent === 'θ azimuth °')
-            ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
-      );
-      expect(shown).toBe('39');
+      const shown = () =>
+        tab.run(
+          () =>
+            [
+              ...document
+                .querySelector('phong-viewer')!
+                .shadowRoot!.querySelectorAll('.lil-controller'),
+            ]
+              .find((row) => row.querySelector('.lil-name')?.textContent === 'θ azimuth °')
+              ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
+        );
+      await expect.poll(shown).toBe('39');
     },
   },
   {
