@@ -25,8 +25,6 @@ export { takeRows } from './viewer-rows.js';
  */
 const WIDE = { text: 40, column: PANEL_PLACE.wide } as const;
 
-/** Added to the viewer's own sheets, so that they follow it into other documents. */
-
 const CHANGES = ['lights', 'camera', 'viewer', 'meshes'] as const;
 type Change = (typeof CHANGES)[number];
 
@@ -37,7 +35,10 @@ interface Content {
   dispose(): void;
 }
 
-/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
+/**
+ * Builds the panel inside `place`. Its styles go to `root`, the viewer's shadow root, so that they
+ * follow it into other documents.
+ */
 export function createPanel(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
   const removeStyles = addStyles(root, panelStyles + controls);
   const gui = newRoot(place);
