@@ -47,14 +47,14 @@ export class FrameLoop {
   }
 
   #ask(): void {
-    if (this.#pending === 0) {
+    if (this.#pending === 0 && this.#isWanted) {
       this.#pending = this.#source.requestAnimationFrame(this.#run);
     }
   }
 
   cancel(viewport: FrameUser): void {
     this.#waiting.delete(viewport);
-    if (this.#isWanted || this.#pending === 0) return;
+    if (this.#isWanted) return;
     this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
   }
@@ -81,13 +81,14 @@ export class FrameLoop {
     this.#wroteTexts = !this.#wroteTexts && this.#texts.size > 0;
     const acts = this.#wroteTexts ? this.#texts : this.#explanations;
     const end = performance.now() + TEXTS;
-    for (const act of [...acts]) {
-      acts.delete(act);
-      act();
-      if (!this.#wroteTexts || performance.now() >= end) break;
-    }
-    if (this.#isWanted) {
-      this.#ask();
+    try {
+      for (const act of [...acts]) {
+        acts.delete(act);
+        act();
+        if (!this.#wroteTexts || performance.now() >= end) break;
+      }
+    } finally {
+      this.#ask(); // one that throws must not stop the others
     }
   }
 
