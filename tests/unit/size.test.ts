@@ -35,7 +35,7 @@ const tokensBelow = (folder: string) =>
 
 const BUDGETS = {
   'src/phong': 69_770,
-  'src/viewer': 59_950,
+  'src/viewer': 60_070,
   'src/extras/models': 65_960,
   'src/extras/overlay': 30_380,
   'src/extras/probe': 11_910,
@@ -50,7 +50,7 @@ const BUDGETS = {
   'src/extras/frameworks': 1_070,
   'src/extras/exercise': 10_725,
   'src/extras/diagnosis': 2_280,
-  tests: 494_010,
+  tests: 494_120,
 };
 
 it.each(Object.entries(BUDGETS))('%s has no more tokens than its budget', (folder, most) => {

@@ -26,6 +26,7 @@ import { measureInSlices } from '../../phong/geometry/geometry-size.js';
 export { Slices };
 
 export { droppedModel } from './user-files.js';
+export { ownedModel } from './model-reader.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
 type FileRequest = ReturnType<LoadOptions['request']>;

@@ -26,6 +26,8 @@ interface ModelCode {
     entries: readonly FileSystemEntry[],
     files: readonly File[],
   ) => Promise<File | ((viewer: HTMLElement) => void) | null>;
+  /** Its `dispose` frees geometries and textures, but no images. */
+  readonly ownedModel: (parts: Content['parts']) => Content;
   /** A content in a pose of its own, and the values of 4 bytes that it takes. */
   readonly movingCopy: (content: Content) => Content;
   readonly movingValues: (content: Content) => number;

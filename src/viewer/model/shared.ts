@@ -1,10 +1,21 @@
 // What users of a page share by key, and how many they are. Only the users keep it alive: a viewer
 // that was removed gives its content back only by being collected, since it may come back.
 
+interface Disposable {
+  dispose(): void;
+}
+
+interface Use {
+  readonly key: string;
+  users: number;
+  held?: Disposable;
+}
+
 export class Shared<V extends object> {
   readonly #refs = new Map<string, WeakRef<V>>();
-  readonly #uses = new WeakMap<V, { key: string; users: number }>();
-  readonly #collected = new FinalizationRegistry<string>((key) => {
+  readonly #uses = new WeakMap<V, Use>();
+  readonly #collected = new FinalizationRegistry<Use>(({ key, held }) => {
+    held?.dispose();
     if (this.get(key) === undefined) {
       this.#refs.delete(key);
     }
@@ -28,6 +39,15 @@ export class Shared<V extends object> {
     return use.users === 0;
   }
 
+  /**
+   * `held` is disposed of if the value is collected before its last user has released it: removed
+   * viewers release nothing, and another viewer may have drawn it after they were removed. `held`
+   * must not refer to the value.
+   */
+  hold(value: V, held: Disposable): void {
+    this.#uses.get(value)!.held = held;
+  }
+
   /** The next user of its key gets another value. */
   forget(value: V): void {
     const { key } = this.#uses.get(value)!;
@@ -46,9 +66,10 @@ export class Shared<V extends object> {
   }
 
   #add(key: string, value: V, users = 0): V {
+    const use = { key, users };
     this.#refs.set(key, new WeakRef(value));
-    this.#uses.set(value, { key, users });
-    this.#collected.register(value, key, value);
+    this.#uses.set(value, use);
+    this.#collected.register(value, use, value);
     return value;
   }
 }

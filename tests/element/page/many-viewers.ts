@@ -241,10 +241,20 @@ export async function comeAndGo(
     }
     await Promise.all(come.map((viewer) => viewer.ready));
     await come[0]?.toBlob();
-    for (const viewer of come) {
-      viewer.remove();
+    const remove = (from: number) => {
+      come.slice(from).forEach((viewer) => viewer.remove());
+      return new Promise((resolve) => setTimeout(resolve));
+    };
+    const last = come.slice(0, come.length / 2);
+    await remove(last.length);
+    // What those have shared is drawn again, and then shown no longer.
+    for (const change of [{ theta: 60 }, { radius: 9, src: '' }]) {
+      for (const viewer of last) {
+        Object.assign(viewer, change);
+      }
+      await Promise.all(last.map(({ ready }) => ready));
     }
-    await new Promise((resolve) => setTimeout(resolve));
+    await remove(0);
     await come[0]?.toBlob({ width: 40, height: 30 });
   });
   await nextFrame(page);

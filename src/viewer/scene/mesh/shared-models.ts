@@ -49,6 +49,11 @@ function keyOf({ url, src, type, crossOrigin }: ModelName): string {
   return `${String(number)} ${type} ${String(crossOrigin)}`;
 }
 
+/** Textures keep it: made in a constructor it would keep that one's model. */
+const flush = (): void => {
+  stage.flush();
+};
+
 class SharedModel {
   readonly #loading = new AbortController();
   readonly #content: Promise<Content>;
@@ -71,12 +76,16 @@ class SharedModel {
       request: (file: URL, redirect: RequestRedirect) => requestFile(file, redirect, options),
       anywhere: crossOrigin !== null,
       type,
-      flush: () => stage.flush(),
+      flush,
     };
     // Requested at once, beside the code that reads models.
     const request =
       typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
-    this.#content = modelCode().then((code) => code.modelContent(url, load, request));
+    this.#content = modelCode().then(async ({ modelContent, ownedModel }) => {
+      const content = await modelContent(url, load, request);
+      models.hold(this, ownedModel(content.parts)); // the content itself refers to this one
+      return content;
+    });
     this.#content.catch(() => {
       models.forget(this); // the next request tries again
     });

@@ -120,8 +120,9 @@ function shapeOf(key: ShapeKey): SharedShape {
       motion: null,
       needs: shapeNeeds(key, true),
       dispose: () => {
-        if (!shapes.release(shape)) return;
-        if (key.isLevel) {
+        if (!shapes.release(shape)) {
+          shapes.hold(shape, geometry);
+        } else if (key.isLevel) {
           shape.freeing = setTimeout(free, KEPT_MS);
         } else {
           free();
