@@ -1,6 +1,6 @@
 // One run of a learner's function: at the sheet, at the picture, and what the colours say.
 import type { Term } from '../../phong/light/light-state.js';
-import type { Vec3 } from '../../phong/math/vector.js';
+import { map, type Vec3 } from '../../phong/math/vector.js';
 import type { MistakeId } from '../../phong/mistakes/mistakes.js';
 import { guarded } from './guard.js';
 import {
@@ -14,7 +14,6 @@ import {
   type Judged,
   mistakesIn,
   shownValue,
-  STEP,
   type Work,
 } from '../../phong/mistakes/judge.js';
 import { type Images, imagesOf } from './paint.js';
@@ -29,11 +28,22 @@ import {
   type Task,
 } from '../../phong/mistakes/sheet.js';
 
-export interface Verdict {
+/** What the event `check` has, and the command for marking reads. */
+export interface Outcome {
   readonly right: boolean;
   readonly mistakes: readonly MistakeId[];
   /** Of the judged pixels; of the sheet's points where there is no picture. */
   readonly share: number;
+  /** The wrong pixel where it shows best, with both colours, 255 as full; null where none is wrong. */
+  readonly pixel: {
+    readonly x: number;
+    readonly y: number;
+    readonly found: Vec3;
+    readonly exact: Vec3;
+  } | null;
+}
+
+export interface Verdict extends Outcome {
   readonly rightPixels: number;
   readonly pixels: number;
   /** At which the result is not a number. */
@@ -44,8 +54,6 @@ export interface Verdict {
    */
   readonly terms: readonly Term[];
   readonly difference: Difference;
-  /** The pixel where it shows best; null where none is wrong. */
-  readonly worst: { readonly x: number; readonly y: number; found: Vec3; exact: Vec3 } | null;
   /** A scene of the sheet that shows it, where the picture does not. */
   readonly scene: SceneName | null;
   readonly images: Images | null;
@@ -105,7 +113,7 @@ function* verdictOf(
     undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
     terms: terms.filter((_, i) => !isRight(alone[i]!)),
     difference: differenceOf(all.wrong.length > 0 ? all : sample),
-    worst: worstOf(shown, picture!),
+    pixel: worstOf(shown, picture),
     // Half of the wrong points come before: a scene with many of them.
     scene: isRight(shown) && !right ? points[all.wrong[all.wrong.length >> 1]!]!.scene : null,
     images: picture === null ? null : yield* imagesOf(picture, shown.colors),
@@ -124,22 +132,29 @@ function sampleOf({ cases, colors, wrong }: Judged): Work<Judged> {
   );
 }
 
-function worstOf({ wrong, cases, colors }: Judged, picture: PicturePoints): Verdict['worst'] {
-  let worst: Verdict['worst'] = null;
-  let most = STEP;
-  for (const i of wrong) {
+function worstOf(
+  { wrong, cases, colors }: Judged,
+  picture: PicturePoints | null,
+): Verdict['pixel'] {
+  // Of what a screen shows; not a number is as far as can be.
+  const offAt = (i: number) => {
     const exact = exactAt(cases[i]!);
-    const found = colorAt(colors, i);
-    // Of what a screen shows; not a number is as far as can be.
-    const offs = found.map((x, k) =>
+    const offs = colorAt(colors, i).map((x, k) =>
       Number.isNaN(x) ? 1 : Math.abs(shownValue(x) - shownValue(exact[k]!)),
     );
-    const off = Math.max(...offs);
-    if (off > most) {
-      most = off;
-      const pixel = picture.pixels[i]!;
-      worst = { x: pixel % picture.width, y: Math.floor(pixel / picture.width), found, exact };
-    }
-  }
-  return worst;
+    return Math.max(...offs);
+  };
+  const [first] = wrong;
+  if (picture === null || first === undefined) return null;
+  const worst = wrong.reduce((most, i) => (offAt(i) > offAt(most) ? i : most), first);
+  const pixel = picture.pixels[worst]!;
+  return {
+    x: pixel % picture.width,
+    y: Math.floor(pixel / picture.width),
+    found: codes(colorAt(colors, worst)),
+    exact: codes(exactAt(cases[worst]!)),
+  };
 }
+
+/** As a screen has them, but not clamped: negative light is seen here. */
+const codes = (color: Vec3) => map(color, (x) => Math.round(255 * x));

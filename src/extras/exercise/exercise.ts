@@ -140,17 +140,19 @@ class Exercise extends ExtraElement<ExerciseValues> {
     this.#render();
     try {
       const source = this.value;
-      const { right, mistakes, share } = await this.#judge(source, scene, running.signal).catch(
-        (error: unknown) => {
-          if (!(error instanceof Refused)) throw error;
-          this.#faults = error.faults;
-          // Sentences and pictures of an earlier run would look like this one's.
-          this.#shown = null;
-          return NO_VERDICT;
-        },
-      );
+      const { right, mistakes, share, pixel } = await this.#judge(
+        source,
+        scene,
+        running.signal,
+      ).catch((error: unknown) => {
+        if (!(error instanceof Refused)) throw error;
+        this.#faults = error.faults;
+        // Sentences and pictures of an earlier run would look like this one's.
+        this.#shown = null;
+        return NO_VERDICT;
+      });
       if (scene === null) {
-        const detail = { right, mistakes, share, source };
+        const detail = { right, mistakes, share, pixel, source };
         this.element.dispatchEvent(new CustomEvent('check', { detail }));
       }
     } catch (error) {
@@ -393,7 +395,7 @@ const MOST_LINES = 500;
 const grouped = (value: number) =>
   value >= 10_000 ? String(value).replace(/\B(?=(\d{3})+$)/g, '\u202f') : String(value);
 
-const NO_VERDICT = { right: false, mistakes: [], share: 0 } as const;
+const NO_VERDICT = { right: false, mistakes: [], share: 0, pixel: null } as const;
 
 const DEMONSTRATIONS: Partial<Record<SceneName, ViewerText>> = {
   behind: 'Turn the light behind the object',

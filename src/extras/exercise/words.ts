@@ -1,6 +1,5 @@
 // A verdict in sentences, as much of it as the exercise's `hint` allows.
 import type { Term } from '../../phong/light/light-state.js';
-import { map, type Vec3 } from '../../phong/math/vector.js';
 import { MISTAKES, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import type { ViewerText } from '../../viewer/extra.js';
 import type { Verdict } from './check.js';
@@ -32,7 +31,7 @@ export function sentencesFor(
   hint: Exclude<ExerciseValues['hint'], 'none'>,
   say: Say,
 ): string[] {
-  const { right, rightPixels, pixels, undefinedPixels, mistakes, terms, difference, worst, scene } =
+  const { right, rightPixels, pixels, undefinedPixels, mistakes, terms, difference, pixel, scene } =
     verdict;
   const count = { right: rightPixels, count: pixels };
   if (hint === 'verdict') return [say(right ? NO_MISTAKE : 'Not right yet.')];
@@ -74,17 +73,14 @@ export function sentencesFor(
     }
     sentences.push(...regions.map((region) => say(REGION_TEXTS[region])));
   }
-  if (worst !== null) {
+  if (pixel !== null) {
     sentences.push(
       say('Pixel {x}, {y}: yours {found}, exact {exact}; 255 is full.', {
-        ...worst,
-        found: codes(worst.found),
-        exact: codes(worst.exact),
+        ...pixel,
+        found: pixel.found.join(' '),
+        exact: pixel.exact.join(' '),
       }),
     );
   }
   return sentences;
 }
-
-/** As a screen has them, but not clamped: negative light is seen here. */
-const codes = (color: Vec3) => map(color, (x) => Math.round(255 * x)).join(' ');

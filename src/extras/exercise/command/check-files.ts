@@ -6,11 +6,12 @@ import { dirname, relative, resolve, sep } from 'node:path';
 import { unescape as decoded } from 'node:querystring';
 import { parseArgs } from 'node:util';
 import type { Browser, Locator } from '@playwright/test';
+import type { Outcome } from '../check.js';
 
 export const HELP = `Usage: phong-viewer check PAGE.html FILES.glsl [options]
 
 Runs each function in the <phong-exercise> of the page, and writes a line for each: right, or
-its mistakes, the share of right pixels, and the first wrong pixel with both colours (0 to 255).
+its mistakes, the share of right pixels, and the worst pixel with both colours (255 is full).
 It uses the installed @playwright/test and its browser.
 
   --csv             comma-separated, with a heading
@@ -19,17 +20,9 @@ It uses the installed @playwright/test and its browser.
 
 Status: 0 if all are right, 1 if one is not, 2 for wrong options or a page without an exercise.`;
 
-/** Milliseconds for one function, its picture included. */
-const PATIENCE = 60_000;
-
-interface Result {
-  readonly right: boolean;
-  readonly mistakes: readonly string[];
-  readonly share: number;
+interface Result extends Outcome {
   /** Why there is no verdict; empty where there is one. */
   readonly fault: string;
-  /** The first wrong pixel: x, y, and both colours; four empty texts where there is none. */
-  readonly pixel: readonly (number | string)[];
 }
 
 const say = (line: string) => process.stdout.write(`${line}\n`);
@@ -74,15 +67,13 @@ async function checkFiles(args: readonly string[]): Promise<number> {
       say('file,right,mistakes,share,x,y,found,exact,fault');
     }
     for (const file of files) {
-      let result: Result;
-      try {
-        result = await resultOf(exercise, readFileSync(file, 'utf8'));
-      } catch {
+      const source = readFileSync(file, 'utf8');
+      const result = await exercise.evaluate(runInPage, source).catch(async () => {
         // A function may take the page with it.
-        result = { ...NOTHING, fault: 'the page did not answer' };
         await exercise.page().close();
         exercise = await openExercise(browser, page, selector);
-      }
+        return NO_ANSWER;
+      });
       isWell &&= result.right;
       say(values.csv ? csvLine(file, result) : line(file, result));
     }
@@ -92,7 +83,13 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   return isWell ? 0 : 1;
 }
 
-const NOTHING = { right: false, mistakes: [], share: 0, pixel: ['', '', '', ''] } as const;
+const NO_ANSWER: Result = {
+  right: false,
+  mistakes: [],
+  share: 0,
+  pixel: null,
+  fault: 'the page did not answer',
+};
 
 async function launch(executablePath: string | undefined): Promise<Browser> {
   const playwright = await import('@playwright/test').catch(() => {
@@ -134,53 +131,35 @@ async function openExercise(browser: Browser, file: string, selector: string): P
   return exercise;
 }
 
-async function resultOf(exercise: Locator, source: string): Promise<Result> {
-  const late = new Promise<never>((_, reject) => {
-    setTimeout(() => reject(new Error('late')), PATIENCE).unref();
-  });
-  return Promise.race([exercise.evaluate(runInPage, source), late]);
-}
-
 /** Sent into the page, so it uses nothing from outside. */
 async function runInPage(element: Element, source: string): Promise<Result> {
-  const exercise = element as HTMLElement & { value: string; hint: string };
-  exercise.hint = 'what';
+  const exercise = element as HTMLElement & { value: string };
   exercise.value = source;
   const root = exercise.shadowRoot!;
-  const checked = new Promise<CustomEvent<Omit<Result, 'fault' | 'pixel'>>>((resolve) => {
+  const checked = new Promise<CustomEvent<Outcome>>((resolve) => {
     exercise.addEventListener('check', (event) => resolve(event as never), { once: true });
   });
-  root.querySelector<HTMLElement>('button')!.click();
-  const { right, mistakes, share } = (await checked).detail;
+  root.querySelector('button')!.click();
+  const { detail } = await checked;
   // The sentences follow the event.
   await new Promise((resolve) => setTimeout(resolve));
   const fault = root.querySelector('#faults')!.textContent.replace(/\s+/g, ' ').trim();
-  const [own, exact] = ['#own', '#exact'].map((canvas) => {
-    const found = root.querySelector<HTMLCanvasElement>(canvas);
-    return found?.getContext('2d')?.getImageData(0, 0, found.width, found.height);
-  });
-  let pixel: Result['pixel'] = ['', '', '', ''];
-  for (let i = 0; own && exact && pixel[0] === '' && i < own.data.length; i += 4) {
-    const [found, asked] = [own, exact].map(({ data }) => Array.from(data.slice(i, i + 3)));
-    if (found!.some((code, k) => Math.abs(code - asked![k]!) > 1)) {
-      const at = i / 4;
-      pixel = [at % own.width, Math.floor(at / own.width), found!.join(' '), asked!.join(' ')];
-    }
-  }
-  return { right, mistakes, share, fault, pixel };
+  return { ...detail, fault };
 }
 
 function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
   if (fault !== '') return `${file}: ${fault}`;
-  const [x, y, found, exact] = pixel;
-  const where = right || x === '' ? '' : `; pixel ${x}, ${y}: ${found} for ${exact}`;
+  const where =
+    pixel &&
+    `; pixel ${pixel.x}, ${pixel.y}: ${pixel.found.join(' ')} for ${pixel.exact.join(' ')}`;
   const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
-  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where}`;
+  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where ?? ''}`;
 }
 
 function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
-  return [file, right, mistakes.join(' '), share.toFixed(4), ...pixel, fault]
-    .map((cell) => {
+  const colors = [pixel?.found, pixel?.exact].map((color) => color?.join(' '));
+  return [file, right, mistakes.join(' '), share.toFixed(4), pixel?.x, pixel?.y, ...colors, fault]
+    .map((cell = '') => {
       // A spreadsheet would run what begins so.
       const text = String(cell).replace(/^(?=[=+@\t\r-])/, "'");
       return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
