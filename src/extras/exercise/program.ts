@@ -177,7 +177,7 @@ function rendererOf(
   // three.js would log what a driver remarks on a right program.
   renderer.debug.checkShaderErrors = false;
   renderer.compile(mesh, camera);
-  requireLinked(context, renderer, own);
+  requireLinked(context, renderer);
   return { renderer, mesh, target, uniforms };
 }
 
@@ -195,7 +195,7 @@ async function draw(
   const data = new DataTexture(texels, across, texels.length / 4 / across, RGBAFormat, FloatType);
   data.needsUpdate = true;
   const { renderer, mesh, target, uniforms } = rendererOf(context, glsl, data, lines);
-  const colors = new Float32Array(3 * cases.length).fill(NaN);
+  const colors = new Float32Array(3 * cases.length);
   let at = 0;
   // Pixels of the next tile, and their upper bound: a fourth of a tile that was too much work.
   let count = FEWEST;
@@ -232,16 +232,14 @@ async function draw(
     spent += at === 0 ? 0 : took - least;
     const floats = new Float32Array(bits.buffer);
     for (let i = 0; i < bits.length && at < cases.length; i += 4, at++) {
+      // Cleared to 1, which stays where the function discards the pixel.
       const line = bits[i + 3]! - 1;
       if (line > 0) {
         if (count === FEWEST) throw refused(TOO_MUCH, line);
         most = count / 4;
         break;
       }
-      // -1: the function has discarded the pixel, and nothing was written.
-      if (line === 0) {
-        colors.set(floats.subarray(i, i + 3), 3 * at);
-      }
+      colors.set(floats.subarray(i, i + 3), 3 * at);
     }
     count = Math.min(took - least < QUICK ? 4 * count : count, most);
   }
@@ -263,43 +261,34 @@ async function drawn(gl: WebGL2RenderingContext) {
 }
 
 /** Throws {@link Refused} with what the compiler has against the program, by the learner's lines. */
-function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer, glsl: string) {
+function requireLinked(gl: WebGL2RenderingContext, { info }: WebGLRenderer) {
   const [built] = info.programs!;
   const program = built!.program as WebGLProgram;
   if (gl.getProgramParameter(program, gl.LINK_STATUS) !== false) return;
   const log = gl.getShaderInfoLog(built!.fragmentShader) || gl.getProgramInfoLog(program) || '';
   // Some drivers end a log with a null character.
-  const lines = log
-    .split(/\s*[\n\0]\s*/)
-    .filter((line) => line !== '' && !line.startsWith('WARNING'));
-  throw new Refused((lines.length > 0 ? lines : [log]).map((line) => faultIn(line, glsl)));
+  const errors = log.match(/^ERROR: [^\n\0]*/gm) ?? [log];
+  throw new Refused(errors.map(faultIn));
 }
 
-function faultIn(message: string, glsl: string): Fault {
-  const [, part, number, said = message] = /^ERROR: (\d+):(\d+): (.*)$/.exec(message) ?? [];
-  const lines = glsl.split('\n');
-  let line = part === '1' ? Number(number) : null;
+function faultIn(message: string): Fault {
+  const [, part, line, said = message] = /^ERROR: (\d+):(\d+): (.*)$/.exec(message) ?? [];
   const [, name = ''] = /Recursive function call.*\b(\w+)$/.exec(said) ?? [];
-  const isOther = /same return type/.test(said) && /\bshade\b/.test(lines[line! - 1]!);
-  let text = said.replace(/exercisePow/g, 'pow').replace('exerciseResult', 'the result of shade');
+  let text = said.replace(/exercisePow/g, 'pow');
   if (name !== '') {
     text = RECURSION;
-    // The guard sets each word apart.
-    line = lines.findIndex((own) => own.includes(` ${name} (`)) + 1 || null;
-  } else if (isOther || said.includes('Function shade()')) {
-    text = /\bshade\s*\([^)]*\)\s*\{/.test(glsl) ? OTHER_SHADE : NO_SHADE;
+  } else if (/same return type|Function shade\(\)/.test(said)) {
+    text = NO_SHADE;
   } else if (said.includes('array size')) {
     text = ARRAY;
   }
-  return { text, values: { name }, line };
+  return { text, values: { name }, line: part === '1' ? Number(line) : null };
 }
 
 const ARRAY = 'An array has 1 to 63 elements.';
 const RECURSION = 'A function calls itself: {name}. GLSL has no recursion.';
 const NO_SHADE =
-  'There is no function shade. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
-const OTHER_SHADE =
-  'shade has other parameters. Write vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
+  'There is no function shade of this form: vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye).';
 
 /** What a lamp's texels hold, in the order of the struct. */
 export const LAMP = [

@@ -482,11 +482,14 @@ const LOOPS = 'Line 1: The function does too much';
 export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
   'no function': ['float x = 1.0;', 'There is no function shade'],
   'a prototype alone': [HEAD.replace(' {', ';'), 'There is no function shade'],
-  'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
-  'a second result': [`layout(location = 0) out vec4 a;\n${RIGHT}`, "'the result of shade'"],
+  'other parameters': [
+    `vec3 shade(vec3 p) { return p; }`,
+    'There is no function shade of this form',
+  ],
+  'a second result': [`layout(location = 0) out vec4 a;\n${RIGHT}`, "'exerciseResult'"],
   'two that call each other': [
     `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
-    'Line 1: A function calls itself: ',
+    'A function calls itself: ',
   ],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
   'a missing semicolon': [
@@ -507,7 +510,10 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     `float f() { float s = 0.0; for (int i = 0; i < 20000; i++) { s += 1.0; } return s; } ${HEAD} float s = 0.0; for (int i = 0; i < 20000; i++) { s += f(); } return vec3(s); }`,
     LOOPS,
   ],
-  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'Line 1: shade has other parameters'],
+  'a float': [
+    RIGHT.replace('vec3 shade', 'float shade'),
+    'Line 1: There is no function shade of this form',
+  ],
   'an overload that calls itself': [
     `float f(float x) { return x; } vec2 f(vec2 x) { return f(x); } ${HEAD} return vec3(f(p.xy), f(1.0)); }`,
     'A function calls itself: f.',
