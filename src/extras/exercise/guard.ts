@@ -29,6 +29,8 @@ const REPEATED = 8;
 interface Token {
   readonly text: string;
   readonly line: number;
+  /** How many tokens on the bracket is that closes it; 0 for all others. */
+  span: number;
 }
 
 /** A function or a macro of the learner's. */
@@ -68,41 +70,36 @@ export function guarded(source: string): string {
 }
 
 function withoutComments(source: string): string {
-  const uncommented = source.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, (comment, at: number) => {
-    if (comment.startsWith('/*') && (comment.length < 4 || !comment.endsWith('*/'))) {
-      throw refused('A comment is not closed.', source.slice(0, at).split('\n').length);
-    }
-    return ` ${comment.replace(/[^\n]/g, '')}`;
-  });
+  const uncommented = source.replace(
+    /\/\/[^\n]*|\/\*[^]*?\*\//g,
+    (comment) => ` ${comment.replace(/[^\n]/g, '')}`,
+  );
   // A macro may go on in the next line. What follows keeps its line.
   const bare = uncommented.replace(
     /^(?:.*\\\n)+.*/gm,
     (lines) => lines.replaceAll('\\\n', '') + lines.replace(/.*/g, ''),
   );
   for (const [i, line] of bare.split('\n').entries()) {
-    const [found] = /[^ -~]|["'$@\\`]/u.exec(line) ?? [];
+    const [found] = FORBIDDEN.exec(line) ?? [];
     if (found !== undefined) {
       // Some are invisible, or look like a letter.
       const code = found.codePointAt(0)!.toString(16).toUpperCase().padStart(4, '0');
-      throw refused(CHARACTER, i + 1, { character: `${found} (U+${code})` });
-    }
-    const [name] = OURS.exec(line) ?? [];
-    if (name !== undefined) {
-      throw refused('Leave out {name}: it is there already.', i + 1, { name });
+      throw refused(NOT_ALLOWED, i + 1, { part: `${found} (U+${code})` });
     }
   }
   return bare;
 }
 
-const OURS = /\bexercise\w*|(?<=\bstruct +)(Light|Material)\b|(?<=\bvoid +)main\b/;
+/** Characters that GLSL does not have, an open comment, and what the program around it uses. */
+const FORBIDDEN = /[^ -~]|["'$@\\`]|\/\*|\bexercise\w*/u;
 
 const TOKEN =
   /[A-Za-z_]\w*|0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|[-+*/%&|^<>=!]=|\+\+|--|<<|>>|&&|\|\||\^\^|\S/g;
 
 const tokensOf = (text: string, line: number) =>
-  Array.from(text.match(TOKEN) ?? [], (token) => ({ text: token, line }));
+  Array.from(text.match(TOKEN) ?? [], (token) => ({ text: token, line, span: 0 }));
 
-const CHARACTER = 'This character is not allowed here: {character}';
+const NOT_ALLOWED = 'This is not allowed here: {part}';
 const DEFINE =
   'Of the lines that begin with # only #define is allowed, without a loop or a block in it.';
 export const TOO_MUCH = 'The function does too much: loops and calls are limited.';
@@ -130,9 +127,9 @@ function withStops(lines: readonly string[]): string {
   const macros = definitions.map(({ name }) => name);
   let open = 0;
   for (let i = 0; i < tokens.length; i++) {
-    const { text, line } = tokens[i]!;
-    if (depthOf(text) === 0) continue;
-    const end = closing(tokens, i);
+    const { text, line, span } = tokens[i]!;
+    if (span === 0) continue;
+    const end = i + span;
     if (text === '{') {
       const isFunction = tokens[i - 1]?.text === ')';
       const name = tokens[(isFunction ? open : i) - 1]?.text ?? '';
@@ -142,7 +139,7 @@ function withStops(lines: readonly string[]): string {
         macros.includes(name) ||
         !(isFunction || tokens[i - 2]?.text === 'struct')
       ) {
-        throw refused(CHARACTER, line, { character: text });
+        throw refused(NOT_ALLOWED, line, { part: text });
       }
       if (isFunction) {
         definitions.push({ name, tokens: tokens.slice(i + 1, end), copies: null });
@@ -156,21 +153,22 @@ function withStops(lines: readonly string[]): string {
   // Each line by itself, with what ends a loop and keeps an array short.
   const out = lines.map((line) => (line.includes('#') ? line : ''));
   const closers = new Map<number, string>();
-  for (const [i, { text, line }] of tokens.entries()) {
+  for (const [i, { text, line, span }] of tokens.entries()) {
     const next = tokens[i + 1]?.text;
     const isIndex = text === '[' && next !== ']';
     if (/^(while|do)$/.test(text) || (text === 'for' && next !== '(')) {
       throw refused('A loop must be a for.', line);
     }
     if (text === 'for') {
-      const head = closing(tokens, i + 1);
+      const head = i + 1 + tokens[i + 1]!.span;
+      const block = tokens[head + 1];
       // What a turn does; without braces all that follows may be in it.
-      const end = tokens[head + 1]?.text === '{' ? closing(tokens, head + 1) : tokens.length;
+      const end = block?.text === '{' ? head + 1 + block.span : tokens.length;
       const turn = codeOf(tokens.slice(i + 1, end));
       closers.set(head, `) if (exerciseStop(${line}, ${turn})) break; else`);
     } else if (isIndex) {
       // 16,000 elements take a compiler a minute: an array has 63 at most, and none of a larger size.
-      closers.set(closing(tokens, i), '), 64) & 63]');
+      closers.set(i + span, '), 64) & 63]');
     }
     out[line - 1]! += ` ${closers.get(i) ?? (isIndex ? '[min(int(' : text)}`;
   }
@@ -197,7 +195,7 @@ function counterFor(
         if (inside.includes(one)) continue;
         read(one.tokens, [...inside, one]);
         for (let n = 1; n < (copies ?? 0); n++) {
-          read(part.slice(i + 1, closing(part, i + 1) + 1), inside);
+          read(part.slice(i + 1, i + 2 + part[i + 1]!.span), inside);
         }
       }
     }
@@ -209,34 +207,20 @@ function counterFor(
   };
 }
 
-/** A block in brackets could hide a function from the count. */
+/** Finds the spans. A block in brackets could hide a function from the count. */
 function match(tokens: readonly Token[]) {
-  const open: Token[] = [];
-  for (const token of tokens) {
-    const { text, line } = token;
-    const around = open.at(-1)?.text ?? '';
-    if (/^(\(\)|\[\]|\{\})$/.test(`${around}${text}`)) {
-      open.pop();
-    } else if (depthOf(text) > 0 && !(text === '{' && /^[([]$/.test(around))) {
-      open.push(token);
-    } else if (depthOf(text) !== 0) {
-      throw refused('Braces or brackets do not match.', line);
+  const open: number[] = [];
+  for (const [i, { text }] of tokens.entries()) {
+    const around = open.slice(-2).map((k) => tokens[k]!.text);
+    if (/\(\)$|\[\]$|(^|\{)\{\}$/.test(`${around.join('')}${text}`)) {
+      const first = open.pop()!;
+      tokens[first]!.span = i - first;
+    } else if (/^[()[\]{}]$/.test(text)) {
+      open.push(i);
     }
   }
-  if (open.length > 0) {
-    throw refused('Braces or brackets do not match.', open.at(-1)!.line);
-  }
-}
-
-/** What a bracket adds to the depth. */
-const depthOf = (text: string) => Number(/^[([{]$/.test(text)) - Number(/^[)\]}]$/.test(text));
-
-/** The index of the bracket that closes the one at `open`. */
-function closing(tokens: readonly Token[], open: number): number {
-  let depth = 0;
-  for (let i = open; i < tokens.length; i++) {
-    depth += depthOf(tokens[i]!.text);
-    if (depth <= 0) return i;
-  }
-  return tokens.length - 1;
+  if (open.length === 0) return;
+  // Blocks are open around the fault.
+  const wrong = open.find((k) => tokens[k]!.text !== '{') ?? open.at(-1)!;
+  throw refused('Braces or brackets do not match.', tokens[wrong]!.line);
 }

@@ -445,11 +445,9 @@ float f(S0 s) { return s.x; } ${HEAD} return vec3(f(S29(1.0))); }`,
   ],
   'turns that are counted anew': [
     `${HEAD} for (;;) { exerciseTurns = 0; } return p; }`,
-    'Leave out exerciseTurns',
+    'not allowed here: exerciseTurns',
   ],
-  'our main': [`void main() {} ${RIGHT}`, 'Leave out main'],
-  'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, 'Leave out Light'],
-  'an open comment': [`${RIGHT}\n/* and the rest`, 'A comment is not closed'],
+  'an open comment': [`${RIGHT}\n/* and the rest`, 'not allowed here: /*'],
   'a brace too many': [`${RIGHT} }`, 'Braces or brackets do not match'],
   'a brace too few': [RIGHT.slice(0, -1), 'Braces or brackets do not match'],
   'a long macro in many places': [
@@ -487,6 +485,8 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     'There is no function shade of this form',
   ],
   'a second result': [`layout(location = 0) out vec4 a;\n${RIGHT}`, "'exerciseResult'"],
+  'our main': [`void main() {} ${RIGHT}`, "Line 1: 'main'"],
+  'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, "Line 1: 'Light'"],
   'two that call each other': [
     `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
     'A function calls itself: ',
