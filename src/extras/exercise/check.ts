@@ -44,7 +44,6 @@ export interface Outcome {
 }
 
 export interface Verdict extends Outcome {
-  readonly rightPixels: number;
   readonly pixels: number;
   /** At which the result is not a number. */
   readonly undefinedPixels: number;
@@ -108,7 +107,6 @@ function* verdictOf(
     right,
     mistakes: right ? [] : yield* mistakesIn([all, sample]),
     share: 1 - of.wrong.length / of.count,
-    rightPixels: shown.count - shown.wrong.length,
     pixels: shown.count,
     undefinedPixels: shown.wrong.filter((i) => colorAt(shown.colors, i).some(Number.isNaN)).length,
     terms: terms.filter((_, i) => !isRight(alone[i]!)),

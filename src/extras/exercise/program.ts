@@ -302,46 +302,36 @@ export const LAMP = [
   'attenuation',
 ] as const;
 
-/** Six texels a case, and behind them six a lamp; each list of lamps once. */
+/** Six texels a case, and behind all of them six a lamp; each list of lamps once. */
 function* packed(cases: readonly Case[], absolute: number, count: number): Work<Float32Array> {
-  const lamps: Lamp[] = [];
-  const firsts = new Map<Lamp | undefined, number>();
-  for (const at of cases) {
-    const light = at[0]?.light;
-    if (!firsts.has(light)) {
-      firsts.set(light, count + lamps.length);
-      lamps.push(...at.map((one) => one.light));
-    }
-    yield;
-  }
-  const texels = new Float32Array(24 * WIDTH * Math.ceil((count + lamps.length) / WIDTH));
+  const rows: (readonly number[])[] = [];
+  rows.length = count;
+  const firsts = new Map<Lamp, number>();
   for (const [i, at] of cases.entries()) {
     yield;
     const [given] = at;
     if (given === undefined) continue;
     const { material: m, p, normal, eye, light } = given;
-    const first = firsts.get(light)!;
-    texels.set(
-      [
-        ...p,
-        first,
-        ...normal,
-        at.length,
-        ...eye,
-        m.shininess,
-        ...m.ka,
-        ...m.kd,
-        ...m.ks,
-        Number(i >= absolute),
-      ],
-      24 * i,
-    );
+    const first = firsts.get(light) ?? rows.length;
+    if (first === rows.length) {
+      firsts.set(light, first);
+      rows.push(...at.map((one) => LAMP.flatMap((key) => one.light[key])));
+    }
+    rows[i] = [
+      ...p,
+      first,
+      ...normal,
+      at.length,
+      ...eye,
+      m.shininess,
+      ...m.ka,
+      ...m.kd,
+      ...m.ks,
+      Number(i >= absolute),
+    ];
   }
-  for (const [i, lamp] of lamps.entries()) {
-    texels.set(
-      LAMP.flatMap((key) => lamp[key]),
-      24 * (count + i),
-    );
-  }
+  const texels = new Float32Array(24 * WIDTH * Math.ceil(rows.length / WIDTH));
+  // A case without a lamp has no row.
+  rows.forEach((row, i) => texels.set(row, 24 * i));
   return texels;
 }

@@ -31,14 +31,14 @@ export function sentencesFor(
   hint: Exclude<ExerciseValues['hint'], 'none'>,
   say: Say,
 ): string[] {
-  const { right, rightPixels, pixels, undefinedPixels, mistakes, terms, difference, pixel, scene } =
+  const { right, share, pixels, undefinedPixels, mistakes, terms, difference, pixel, scene } =
     verdict;
-  const count = { right: rightPixels, count: pixels };
+  const count = { right: Math.round(share * pixels), count: pixels };
   if (hint === 'verdict') return [say(right ? NO_MISTAKE : 'Not right yet.')];
   if (right) {
     return [
       say(
-        rightPixels === pixels
+        share === 1
           ? 'Right: within one 8-bit step at all {count} pixels, and at the test scenes.'
           : 'Right: within one 8-bit step at {right} of {count} pixels, and at the test scenes.',
         count,
@@ -60,9 +60,7 @@ export function sentencesFor(
   }
   if (named.length === 0) {
     const { kinds, regions } = difference;
-    if (kinds.length > 0) {
-      sentences.push(say('Under these lights: {lights}.', { lights: list(kinds) }));
-    }
+    sentences.push(say('Under these lights: {lights}.', { lights: list(kinds) }));
     if (undefinedPixels > 0) {
       sentences.push(
         say(
