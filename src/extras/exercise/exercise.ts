@@ -16,7 +16,7 @@ import styles from './exercise.css?inline';
 import { kindOf } from '../../phong/light/light-features.js';
 import { type Fault, Refused, refused } from './guard.js';
 import { inTasks } from '../explain/in-tasks.js';
-import { paint } from './paint.js';
+import { type Images, paint } from './paint.js';
 import { pointsOf, underScene } from './picture.js';
 import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
 import { GIVEN_GLSL, solutionFor, STARTING_GLSL } from './solution.js';
@@ -94,13 +94,13 @@ class Exercise extends ExtraElement<ExerciseValues> {
     this.#render();
   }
 
-  /** The text to begin with, without the indentation that all its lines share. */
+  /** The text to begin with; all its lines without the indentation of the first. */
   get #given(): string {
     const script = this.element.querySelector<HTMLScriptElement>('script[type="text/plain"]');
     if (script === null) return STARTING_GLSL;
-    const lines = script.text.replace(/^\s*\n|\s+$/g, '').split('\n');
-    const depths = lines.map((line) => line.search(/\S/)).filter((depth) => depth >= 0);
-    return lines.map((line) => line.slice(Math.min(...depths))).join('\n');
+    const text = `\n${script.text.replace(/^\s*\n|\s+$/g, '')}`;
+    const [start] = /^\s+/.exec(text)!;
+    return text.replaceAll(start, '\n').slice(1);
   }
 
   get #viewer() {
@@ -316,21 +316,20 @@ class Exercise extends ExtraElement<ExerciseValues> {
     if (!images) return nothing;
     const { hint } = this.values;
     const { width, height } = images.own;
-    const canvas = (id: string, label: string) =>
+    const canvas = (name: keyof Images, label: ViewerText) =>
       html`<canvas
-        id=${id}
+        class=${name}
         width=${width}
         height=${height}
         role="img"
         aria-label=${this.#say(label)}
       ></canvas>`;
     const isCompared = hint !== 'none';
+    const own = canvas('own', 'Your picture');
+    const exact = isCompared ? canvas('exact', 'The exact picture') : nothing;
     return html`<div class="pictures" part="pictures">
       <figure>
-        <div class="split">
-          ${canvas('own', 'Your picture')}
-          ${isCompared ? canvas('exact', 'The exact picture') : nothing}
-        </div>
+        <div class="split">${own}${exact}</div>
         ${
           isCompared
             ? html`<input
@@ -350,7 +349,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       ${
         hint === 'what' || hint === 'where'
           ? html`<figure>
-              ${canvas('difference', 'The difference')}
+              <div class="difference" aria-hidden="true">${own}${exact}</div>
               <figcaption>${this.#say('The difference')}</figcaption>
             </figure>`
           : nothing

@@ -74,7 +74,6 @@ export function* pointsOf(
           n: shininess,
         });
       }
-      if (length(normal) < 1e-6) continue;
       const given = {
         material: { ...coefficientsOf(surface, linear), shininess },
         // As the driver gets them: far from the origin a rounding is seen.
