@@ -484,7 +484,6 @@ export const STOPPED_ONES: Readonly<Record<string, readonly [source: string, rea
     `vec3 shade(vec3 p) { return p; }`,
     'There is no function shade of this form',
   ],
-  'a second result': [`layout(location = 0) out vec4 a;\n${RIGHT}`, "'exerciseResult'"],
   'our main': [`void main() {} ${RIGHT}`, "Line 1: 'main'"],
   'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, "Line 1: 'Light'"],
   'two that call each other': [
