@@ -178,6 +178,8 @@ export default defineConfig(({ mode }) => ({
     rolldownOptions: {
       external: (specifier) =>
         staysImport(specifier) && (isForNode(mode) || !isOfGltfThree(specifier)),
+      // As in the standalone file: the more alike its chunks are, the smaller is the package.
+      optimization: { inlineConst: { mode: 'all' } },
       // Lets chunks import from the entry. Otherwise the code that they share with it would be a
       // second file that every page has to fetch. For the same reason all static imports of an
       // entry are one chunk.
