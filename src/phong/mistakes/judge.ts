@@ -5,7 +5,15 @@ import { KINDS, type LightKind } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { add, clamp, length, map, normalize, scale, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
-import { evaluate, type Given, sumOfTerms, toLightOf, type Values, valuesAt } from './steps.js';
+import {
+  BLACK,
+  evaluate,
+  type Given,
+  sumOfTerms,
+  toLightOf,
+  type Values,
+  valuesAt,
+} from './steps.js';
 
 /** A point with each lamp that lights it; its colour is the sum over them. */
 export type Case = readonly Given[];
@@ -33,13 +41,10 @@ const LARGEST = 1e37;
 
 /** With `isClamped`, of a function that keeps its own result between 0 and 1. */
 export const sumAt = (at: Case, form?: Form, isClamped = false): Vec3 =>
-  at.reduce<Vec3>(
-    (sum, given) => {
-      const color = sumOfTerms(evaluate(given, form));
-      return add(sum, isClamped ? map(color, shownValue) : color);
-    },
-    [0, 0, 0],
-  );
+  at.reduce<Vec3>((sum, given) => {
+    const color = sumOfTerms(evaluate(given, form));
+    return add(sum, isClamped ? map(color, shownValue) : color);
+  }, BLACK);
 
 const exact = new WeakMap<Case, Vec3>();
 
@@ -296,11 +301,8 @@ export function differenceOf({ cases, wrong }: Judged): Difference {
   const share = (holds: (given: Given) => boolean): number =>
     givens.filter(holds).length / Math.max(givens.length, 1);
   const kinds = KINDS.filter((kind) => share(({ light }) => kindOf(light) === kind) > STRAY);
-  const region = REGIONS.find(
+  const regions = REGIONS.filter(
     ({ holds }) => share((given) => holds(valuesAt(given), given)) > 0.98,
   );
-  return {
-    kinds,
-    regions: region === undefined ? [] : [region.name],
-  };
+  return { kinds, regions: regions.slice(0, 1).map(({ name }) => name) };
 }

@@ -17,6 +17,7 @@ import {
 import {
   angleOf,
   BLACK,
+  eachTerm,
   type Given,
   isPositional,
   NoH,
@@ -83,11 +84,7 @@ const byCosine = (
 
 /** What cone and decay leave of each term. */
 const shared = (of: (term: Term, so: Readonly<Values>) => number): Pick<Steps, 'shares'> => ({
-  shares: (so) => ({
-    ambient: of('ambient', so),
-    diffuse: of('diffuse', so),
-    specular: of('specular', so),
-  }),
+  shares: (so) => eachTerm((term) => of(term, so)),
 });
 
 /** Terms that cone or decay may be left out of, besides the ambient one alone. */
@@ -143,38 +140,53 @@ const asLarge = (asked: Given['reflection'], by: number): Form => ({
     power(cosine, material.shininess * (reflection === asked ? by : 1)),
 });
 
-const ambientPlus: Form = { ambient: (_, { material, light }) => add(material.ka, light.ambient) };
-const diffusePlus: Form = {
-  diffuse: ({ att, lambert }, { material, light }) =>
-    scale(add(material.kd, light.diffuse), att * lambert),
-};
-const specularPlus: Form = {
-  specular: ({ att, spec }, { material, light }) =>
-    scale(add(material.ks, light.specular), att * spec),
-};
-
 /** One term times a number. */
 export const termScaled = (term: Term, by: number): Form => ({
   [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
 });
 
-/** Each term of the equation with another material or light. */
-const withOther = (other: (given: Given) => Given): readonly Form[] =>
+type Colors = Given['material'] & Given['light'];
+
+/** Each term of the equation with other colours. */
+const withColors = (othersOf: (own: Colors) => Partial<Colors>): readonly Form[] =>
   TERMS.map((term): Form => ({
-    [term]: (so: Readonly<Values>, given: Given) => RIGHT[term](so, other(given)),
+    [term]: (so: Readonly<Values>, given: Given) => {
+      const { material, light } = given;
+      const others = othersOf({ ...material, ...light });
+      return RIGHT[term](so, {
+        ...given,
+        material: { ...material, ...others },
+        light: { ...light, ...others },
+      });
+    },
   }));
 
+/** In all terms. */
+const together = (terms: readonly Form[]) => Object.assign({}, ...terms) as Form;
+
 const WHITE: Vec3 = [1, 1, 1];
+const WHITE_MATERIAL = { ka: WHITE, kd: WHITE, ks: WHITE };
 
-export const WITHOUT_MATERIAL = withOther((given) => ({
-  ...given,
-  material: { ...given.material, ka: WHITE, kd: WHITE, ks: WHITE },
+export const WITHOUT_MATERIAL = withColors(() => WHITE_MATERIAL);
+
+export const WITHOUT_LIGHT = withColors(() => eachTerm(() => WHITE));
+
+const COLORS_ADDED = withColors(({ ka, kd, ks, ambient, diffuse, specular }) => ({
+  ...WHITE_MATERIAL,
+  ambient: add(ka, ambient),
+  diffuse: add(kd, diffuse),
+  specular: add(ks, specular),
 }));
 
-export const WITHOUT_LIGHT = withOther((given) => ({
-  ...given,
-  light: { ...given.light, ambient: WHITE, diffuse: WHITE, specular: WHITE },
-}));
+/** Colours of another term. */
+const EXCHANGED = [
+  ...withColors(({ kd, ks }) => ({ ka: kd, kd: ks, ks: kd })),
+  ...withColors(({ diffuse, specular }) => ({
+    ambient: diffuse,
+    diffuse: specular,
+    specular: diffuse,
+  })),
+];
 
 /** The cosine itself in place of its power. */
 export const unraised: Form = { lobe: ({ cosine }) => Math.max(cosine, 0) };
@@ -447,21 +459,15 @@ export const MISTAKES = mistakeTable({
   },
   'colours-added': {
     sentence: 'Material and light are added: their colours are multiplied.',
-    forms: [
-      { ...ambientPlus, ...diffusePlus, ...specularPlus },
-      ambientPlus,
-      diffusePlus,
-      specularPlus,
-      { ...diffusePlus, ...specularPlus },
-    ],
+    forms: [together(COLORS_ADDED), ...COLORS_ADDED, together(COLORS_ADDED.slice(1))],
   },
   'colour-missing': {
-    sentence: 'A colour is missing: each term is material times light.',
+    sentence: "A colour is missing, or another term's: each term is its material times its light.",
     // In one term, or in all.
-    forms: [WITHOUT_MATERIAL, WITHOUT_LIGHT].flatMap((terms) => [
-      ...terms,
-      Object.assign({}, ...terms) as Form,
-    ]),
+    forms: [
+      ...[WITHOUT_MATERIAL, WITHOUT_LIGHT].flatMap((terms) => [...terms, together(terms)]),
+      ...EXCHANGED,
+    ],
   },
   'scale-255': {
     sentence: 'A colour is multiplied or divided by 255: here 1 is full.',

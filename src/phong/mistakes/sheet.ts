@@ -17,7 +17,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../math/vector.js';
-import { type Given, placeOf, toLightOf } from './steps.js';
+import { BLACK, eachTerm, type Given, placeOf, toLightOf } from './steps.js';
 
 /** What an exercise asks for. */
 export interface Task {
@@ -113,10 +113,10 @@ function pointsOf(name: SceneName, task: Task, count: number): SheetPoint[] {
 }
 
 /** A lamp with the colours of these terms: a function that knows more of them is right too. */
-export const only = (terms: readonly Term[], light: Lamp): Lamp => {
-  const of = (term: Term): Vec3 => (terms.includes(term) ? light[term] : [0, 0, 0]);
-  return { ...light, ambient: of('ambient'), diffuse: of('diffuse'), specular: of('specular') };
-};
+export const only = (terms: readonly Term[], light: Lamp): Lamp => ({
+  ...light,
+  ...eachTerm((term) => (terms.includes(term) ? light[term] : BLACK)),
+});
 
 function pointAt(about: Scene, { terms, reflection }: Task, random: () => number): Given {
   const { axis, aperture, cutoff, attenuation, position, shininess } = about;

@@ -12,7 +12,7 @@ import {
   WITHOUT_LIGHT,
   WITHOUT_MATERIAL,
 } from './mistakes.js';
-import { type Given, power, RIGHT, type Values } from './steps.js';
+import { eachTerm, type Given, power, RIGHT, type Values } from './steps.js';
 
 const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
 
@@ -29,7 +29,7 @@ const cosines = (wrong: (cosine: number) => number): readonly Form[] => [
 /** Without cone and decay: the number that is typed is only a part of the term. */
 const alone = (form: Form): Form => ({
   ...form,
-  shares: () => ({ ambient: 1, diffuse: 1, specular: 1 }),
+  shares: () => eachTerm(() => 1),
 });
 
 const LEFT_OUT = 'That is the value without {factor}.';

@@ -37,13 +37,18 @@ export interface Given {
   readonly terms: readonly Term[];
 }
 
+/** What is computed for each term. */
+export const eachTerm = <Value>(of: (term: Term) => Value): Readonly<Record<Term, Value>> => ({
+  ambient: of('ambient'),
+  diffuse: of('diffuse'),
+  specular: of('specular'),
+});
+
 /** A light with 1 as full, or decoded where shading is linear. */
 export function lampOf(light: Readonly<LightValues>, linear: boolean): Given['light'] {
   return {
     ...light,
-    ambient: colorOf(light.ambient, linear),
-    diffuse: colorOf(light.diffuse, linear),
-    specular: colorOf(light.specular, linear),
+    ...eachTerm((term) => colorOf(light[term], linear)),
   };
 }
 
@@ -149,7 +154,7 @@ export const RIGHT: Steps = {
     scale(multiply(material.ks, light.specular), att * spec),
   shares: ({ isInside, decay }) => {
     const share = isInside ? decay : 0;
-    return { ambient: share, diffuse: share, specular: share };
+    return eachTerm(() => share);
   },
   full: () => 1,
 };
@@ -171,9 +176,9 @@ export function valuesAt(given: Given, wrong: Partial<Steps> = {}): Values {
 /** The equation of {@link valuesAt}. */
 export function evaluate(given: Given, wrong?: Partial<Steps>): LightTerms {
   const so = valuesAt(given, wrong);
-  const term = (name: Term): Vec3 =>
-    given.terms.includes(name) ? scale(so[name], so.shares[name] * so.full) : BLACK;
-  return { ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
+  return eachTerm((term) =>
+    given.terms.includes(term) ? scale(so[term], so.shares[term] * so.full) : BLACK,
+  );
 }
 
 export const sumOfTerms = ({ ambient, diffuse, specular }: LightTerms): Vec3 =>
