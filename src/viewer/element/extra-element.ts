@@ -121,9 +121,17 @@ export abstract class ExtraElement<V extends object> {
     return found?.matches('phong-viewer:defined') === true ? (found as PhongViewer) : null;
   }
 
-  /** The texts of a viewer as they are where this element stands. */
+  /**
+   * The texts of a viewer as they are where this element stands. In a part of the page that has a
+   * language of its own, numbers are in that, and in an English part words are the built-in ones.
+   */
   protected textsOf(viewer: Pick<PhongViewer, 'texts'> | null): ViewerTexts | null {
-    return textsAround(this.element, viewer?.texts ?? null);
+    const texts = viewer?.texts ?? null;
+    const part = this.element.closest('[lang]');
+    const lang = part?.getAttribute('lang') ?? '';
+    if (lang === '' || part === part?.ownerDocument.documentElement) return texts;
+    const isForeign = texts?.en !== undefined && !/^en\b/.test(texts.en) && /^en\b/.test(lang);
+    return { ...(isForeign ? null : texts), en: lang };
   }
 
   /** Once for each message. */
@@ -184,16 +192,4 @@ function defineFormMembers(prototype: HTMLElement, own: (of: HTMLElement) => For
       own(this).value = String(value);
     },
   });
-}
-
-/**
- * The texts of an element in a part of the page that has a language of its own: its numbers are in
- * that, and in an English part its words are the built-in ones.
- */
-function textsAround(element: Element, texts: ViewerTexts | null): ViewerTexts | null {
-  const part = element.closest('[lang]');
-  const lang = part?.getAttribute('lang') ?? '';
-  if (lang === '' || part === element.ownerDocument.documentElement) return texts;
-  const isForeign = texts?.en !== undefined && !/^en\b/.test(texts.en) && /^en\b/.test(lang);
-  return { ...(isForeign ? null : texts), en: lang };
 }

@@ -61,6 +61,15 @@ export class Visibility implements ReactiveController {
     this.#element = element;
     this.#changed = changed;
     this.closed = closed;
+    // No observer reports CSS `visibility`, which changes no box. A transition in the element's
+    // style sheet does.
+    for (const type of TRANSITION_EVENTS) {
+      element.addEventListener(type, ({ propertyName }) => {
+        if (propertyName === 'visibility') {
+          this.shown();
+        }
+      });
+    }
   }
 
   get size(): BoxSize {
@@ -92,19 +101,11 @@ export class Visibility implements ReactiveController {
       ownerDocument.adoptNode(this.#element);
     }
     this.#page?.watch(this.#element, this);
-    // No observer reports CSS `visibility`, which changes no box. A transition in the element's
-    // style sheet does.
-    for (const type of TRANSITION_EVENTS) {
-      this.#element.addEventListener(type, this.#onTransition);
-    }
   }
 
   hostDisconnected(): void {
     this.#page?.unwatch(this.#element);
     this.#page = null;
-    for (const type of TRANSITION_EVENTS) {
-      this.#element.removeEventListener(type, this.#onTransition);
-    }
     this.#inView = null;
     this.#near = null;
     this.#located = Infinity;
@@ -189,12 +190,6 @@ export class Visibility implements ReactiveController {
     this.#inView = distance < 0;
     this.#near = distance < margin;
   }
-
-  readonly #onTransition = ({ propertyName }: TransitionEvent) => {
-    if (propertyName === 'visibility') {
-      this.shown();
-    }
-  };
 
   #measure(width: number, height: number) {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS

@@ -226,11 +226,7 @@ export class ViewerDisplay {
   }
 
   #setState(state: 'loading' | 'error' | 'empty', on: boolean) {
-    if (on) {
-      this.#states?.add(state);
-    } else {
-      this.#states?.delete(state);
-    }
+    this.#states?.[on ? 'add' : 'delete'](state);
   }
 
   /**

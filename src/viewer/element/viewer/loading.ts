@@ -136,7 +136,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   began(mesh: SceneMesh): void {
     if (!this.pending) {
-      this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
+      this.#barTimer = setTimeout(() => {
+        this.#isSlow = true;
+        this.#context.viewer.requestUpdate();
+      }, BAR_DELAY);
     }
     this.#active.add(mesh);
     this.#shares.set(mesh, null);
@@ -286,11 +289,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       mesh.retry();
     }
     this.update();
-  };
-
-  readonly #showBar = () => {
-    this.#isSlow = true;
-    this.#context.viewer.requestUpdate();
   };
 
   #end(mesh: SceneMesh) {

@@ -9,9 +9,8 @@ export class Readiness {
 
   constructor(signals: ViewerSignals, settled: () => boolean) {
     this.#settled = settled;
-    const check = (): void => this.check();
     for (const signal of [signals.ended, signals.frameEnded, signals.viewChanged]) {
-      signal.listen(check);
+      signal.listen(() => this.check());
     }
   }
 
