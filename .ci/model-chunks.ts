@@ -8,9 +8,12 @@ export const modelChunks = [
     name: 'model-shared',
     test: /\/textures\/DataTexture\.js$|\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|mesh-animation|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
   },
-  // What helpers and comparison have in common with the panel. Before its rows, which would take it
-  // with them.
-  { name: 'followed-drag', test: /\/src\/phong\/camera\/followed-drag\.ts$/ },
+  // What helpers, comparison and <phong-probe> have in common with the panel. Before its rows, which
+  // would take it with them.
+  {
+    name: 'followed-drag',
+    test: /\/src\/(phong\/camera\/followed-drag|viewer\/element\/page\/copy-text)\.ts$/,
+  },
   {
     name: 'round-number',
     test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/,

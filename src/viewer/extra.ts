@@ -17,6 +17,7 @@ export { cssColor } from './element/fields/css-color.js';
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
 export { VIEWER_FIELDS } from './element/fields/viewer-fields.js';
 export { fieldsOf, hostOf, sceneMeshes } from './element/internals.js';
+export { copyText, RESULT_MS } from './element/page/copy-text.js';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles } from './element/page/style-sheets.js';
 export { lightName } from './element/phong-light.js';

@@ -1,17 +1,21 @@
 // The panel's row of files: opens a model, saves the picture, copies the markup. Works under a
 // strict Content-Security-Policy.
 import type { GUI } from 'lil-gui';
-import { historyOf, modelCode, type PhongViewer, type ViewerText } from '../../viewer/extra.js';
+import {
+  copyText,
+  historyOf,
+  modelCode,
+  type PhongViewer,
+  RESULT_MS,
+  type ViewerText,
+} from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 import { label } from './label.js';
 
 const LABEL = 'copy HTML';
 
-/** How long the button shows the result, ms. */
-const RESULT_MS = 2000;
-
-/** Adds the row. Returns a function to call when the viewer's values have changed. */
-export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
+/** Adds the row. `update` is called when the viewer's values have changed. */
+export function addFiles(gui: GUI, viewer: PhongViewer) {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
     chooseModel(viewer, (file) => historyOf(viewer).edit(viewer, () => (viewer.src = file), file)),
@@ -19,47 +23,35 @@ export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   row.add('save PNG', () => {
     savePicture(viewer).catch(warnOf);
   });
-  addCopyButton(row, () => viewer.toHTML());
-  return () => (open.hidden = !viewer.droppable);
+  const stop = addCopyButton(row, () => viewer.toHTML());
+  return { stop, update: () => (open.hidden = !viewer.droppable) };
 }
 
 const warnOf = (error: unknown): void => console.warn(`<phong-viewer gui>: ${String(error)}`);
 
-/** Writes the markup to the clipboard, or shows it selected if the clipboard is not available. */
-function addCopyButton(row: ButtonRow, markup: () => string): void {
+/** Copies the markup, or shows it below the row. The returned function stops its timer. */
+function addCopyButton(row: ButtonRow, markup: () => string): () => void {
   const button = row.add(LABEL, () => {
     void copy();
   });
   button.setAttribute('aria-live', 'polite');
   const text = document.createElement('textarea');
-  text.readOnly = true;
-  text.className = 'markup';
-  text.rows = 6;
+  Object.assign(text, { readOnly: true, hidden: true, className: 'markup', rows: 6 });
   // As in lil-gui's own fields: keys typed here must not reach the camera.
   text.addEventListener('keydown', (event) => event.stopPropagation());
+  row.domElement.after(text);
+  label(text, (say) => text.setAttribute('aria-label', say("The scene's HTML")));
   const show = (what: ViewerText): void => label(button, (say) => (button.textContent = say(what)));
   let timer = 0;
-  const showResult = (what: ViewerText): void => {
-    clearTimeout(timer);
-    show(what);
-    timer = window.setTimeout(() => show(LABEL), RESULT_MS);
-  };
+  const stop = (): void => clearTimeout(timer);
   const copy = async (): Promise<void> => {
-    const html = markup();
-    try {
-      await navigator.clipboard.writeText(html);
-      text.remove();
-      showResult('copied ✓');
-    } catch {
-      // Refused, or missing: pages without TLS have no clipboard.
-      text.value = html;
-      row.domElement.after(text);
-      label(text, (say) => text.setAttribute('aria-label', say("The scene's HTML")));
-      text.select();
-      text.scrollIntoView({ block: 'nearest' });
-      showResult('select and copy below');
-    }
+    const result = await copyText(markup(), text);
+    stop();
+    if (!text.isConnected) return;
+    show(result);
+    timer = window.setTimeout(show, RESULT_MS, LABEL);
   };
+  return stop;
 }
 
 /**

@@ -127,7 +127,8 @@ function addFolders(
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
   const surface = folderOf('Material');
   const meshes = new ChildFolders(gui, 'Meshes', viewer, range, MESHES);
-  const updateFiles = addFiles(gui, viewer);
+  const files = addFiles(gui, viewer);
+  stops.push(files.stop);
   const groups = {
     lights: lights.group,
     camera: camera.gui,
@@ -158,7 +159,7 @@ function addFolders(
         show.update();
       }
       if (change !== 'viewer') return;
-      updateFiles();
+      files.update();
       shading.update();
       surface.gui.show(viewer.geometry !== null || viewer.src !== '');
       surface.update();

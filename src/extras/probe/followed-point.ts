@@ -176,6 +176,7 @@ export class FollowedPoint {
 
   /** Where the picture has a probe of its own, that one follows the pointer. */
   #listenToPointer(surface: HTMLElement): void {
+    const { signal } = this.#listening;
     let pressed = { x: 0, y: 0 };
     const on = <K extends keyof HTMLElementEventMap>(
       type: K,
@@ -188,7 +189,7 @@ export class FollowedPoint {
             listener(event);
           }
         },
-        { signal: this.#listening.signal },
+        { signal },
       );
     const go = ({ offsetX: x, offsetY: y }: MouseEvent, pins: boolean): void =>
       this.#go({ x, y, pins });
@@ -208,7 +209,6 @@ export class FollowedPoint {
     on('keydown', ({ key }) => {
       this.#isPinned &&= key !== 'Escape';
     });
-    const { signal } = this.#listening;
     surface.addEventListener(STEP, (event) => this.#go((event as CustomEvent<Place>).detail), {
       signal,
     });

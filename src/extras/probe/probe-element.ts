@@ -115,6 +115,7 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 
   protected override left(): void {
+    this.#copy.stop();
     this.#follow(null);
   }
 

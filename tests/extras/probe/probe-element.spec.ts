@@ -272,38 +272,33 @@ test('says in one warning which viewer or light is missing, and takes one that c
 test('a copy that has no clipboard says so, and shows the text selected', async ({
   page,
   mount,
+  context,
 }) => {
-  await page.addInitScript(() => {
-    const written: string[] = [];
-    Reflect.set(window, 'written', written);
-    let refuses = true;
-    Reflect.set(window, 'allow', () => (refuses = false));
-    Object.defineProperty(Navigator.prototype, 'clipboard', {
-      get: () =>
-        refuses ? undefined : { writeText: (text: string) => Promise.resolve(written.push(text)) },
-    });
-  });
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await mount(scene() + probe('as="formula" at="0 0 0"'), size);
-  const [first, button] = ['Copy as text', 'Copy as LaTeX'].map((name) =>
-    page.locator('phong-probe p button').filter({ hasText: name }),
-  );
+  const element = page.locator('phong-probe');
+  const [text, latex] = [0, 1].map((i) => element.locator('p button').nth(i));
   await expect(page.getByRole('textbox')).toHaveCount(0);
-  const latex = (await button!.elementHandle())!;
-  await button!.click();
-  await expect.poll(() => latex.textContent()).toBe('select and copy below');
+  await page.evaluate(() =>
+    Object.defineProperty(navigator, 'clipboard', { value: undefined, configurable: true }),
+  );
+  await latex!.click();
+  await expect(latex!).toHaveText('select and copy below');
   const field = page.getByRole('textbox', { name: 'Copy as LaTeX' });
   await expect(field).toBeFocused();
   const selected = await field.evaluate((area: HTMLTextAreaElement) =>
     area.value.slice(area.selectionStart, area.selectionEnd),
   );
   expect(selected).toContain('\\cdot');
-  await expect.poll(() => latex.textContent()).toBe('Copy as LaTeX');
-  await page.evaluate(() => (Reflect.get(window, 'allow') as () => void)());
-  const text = (await first!.elementHandle())!;
-  await first!.click();
-  await expect.poll(() => text.textContent()).toBe('copied ✓');
+  await expect(latex!).toHaveText('Copy as LaTeX');
+  await page.evaluate(() => Reflect.deleteProperty(navigator, 'clipboard'));
+  await text!.click();
+  await expect(text!).toHaveText('copied ✓');
   await expect(field).toHaveCount(0);
-  expect(await page.evaluate(() => Reflect.get(window, 'written') as string[])).toHaveLength(1);
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('·');
+  const button = (await text!.elementHandle())!;
+  await element.evaluate((own) => own.remove());
+  expect(await button.textContent(), 'no timer is left').toBe('Copy as text');
 });
 
 test('has the numbers of the language around it, and English words in an English part', async ({
