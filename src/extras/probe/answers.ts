@@ -221,6 +221,7 @@ export function typedNumber(text: string): Typed | null {
     .replace('٪', '%')
     .replace('⁄', '/')
     .replace(/^[=≈~]\s*|\.$/g, '')
+    .replace(/^%\s*(.*)/, '$1%') // Turkish and Basque
     .replace(/\s*[·⋅×x*]\s*10\s*\^\s*(?=[+-]?\d+$)/, 'e');
   const match =
     /^([+-]?(?:\d+\.?\d*|\.\d+))(?:e([+-]?\d+))?\s*(?:(%)|\/\s*(\d+\.?\d*|\.\d+))?$/i.exec(plain);

@@ -186,8 +186,8 @@ it('explains no 0, rounds nothing to 1, and takes digits of any script, commas, 
   }
   for (const typed of [
     '0.75',
-    '0,75',
-    '75 %',
+    '%75',
+    '= ٪ ۷۵',
     '3/4',
     '۰٫۷۵',
     '০.৭৫',
