@@ -228,14 +228,13 @@ export function plain(x: number, digits: number): string {
   return Math.abs(x) < 1e6 ? x.toFixed(digits) : x.toExponential(digits);
 }
 
-/** The three channels' numbers, once where they are the same. */
-function textsOf(color: Vec3, digits: number): readonly string[] {
-  const texts = [...color].map((x) => plain(x, digits).replace(/^-(0(\.0*)?)$/, '$1'));
-  return new Set(texts).size === 1 ? texts.slice(0, 1) : texts;
-}
+/** The three channels' numbers. */
+const textsOf = (color: Vec3, digits: number): readonly string[] =>
+  [...color].map((x) => plain(x, digits).replace(/^-(0(\.0*)?)$/, '$1'));
 
+/** One where they are the same. */
 const joined = (texts: readonly string[]) =>
-  texts.length === 1 ? texts[0]! : `(${texts.join(' ')})`;
+  new Set(texts).size === 1 ? texts[0]! : `(${texts.join(' ')})`;
 
 function factorText({ value, exponent, clamped }: Factor, digits: number): string {
   const text = joined(textsOf(value, digits));
@@ -245,8 +244,7 @@ function factorText({ value, exponent, clamped }: Factor, digits: number): strin
 
 /** What a reader computes with. */
 const shownValue = (factor: Factor, digits: number, channel: number): number => {
-  const texts = textsOf(factor.value, digits);
-  const x = Number(texts[channel] ?? texts[0]);
+  const x = Number(textsOf(factor.value, digits)[channel]);
   return valueOf({ ...factor, value: grey(x) }, 0);
 };
 
@@ -273,7 +271,7 @@ function fitted(
   const results = textsOf(value, places);
   const isTrue = (digits: number) =>
     value.every((_, channel) => {
-      const result = Number(results[channel] ?? results[0]);
+      const result = Number(results[channel]);
       const size = Math.floor(Math.log10(Math.max(Math.abs(result), 1)));
       const unit = 10 ** ((size < 6 ? 0 : size) - places);
       // Half a digit of the result, and what float64 rounds in a product.
@@ -284,7 +282,7 @@ function fitted(
     digits += 1;
   }
   // What is there, however little, is not 0.
-  const isNothing = value.some((x, i) => x !== 0 && Number(results[i] ?? results[0]) === 0);
+  const isNothing = value.some((x, i) => x !== 0 && Number(results[i]) === 0);
   return { digits, result: joined(results), sign: isTrue(digits) && !isNothing ? '=' : '≈' };
 }
 
@@ -312,7 +310,7 @@ function product(at: TermAt): Equation {
 
 /** The sum as it is drawn: encoded, then clamped. */
 export const drawn = (sum: Vec3, linear: boolean): Vec3 =>
-  map(sum, (x) => clamp(linear ? srgbEncode(Math.max(x, 0)) : x, 0, 1));
+  map(sum, (x) => clamp(linear ? srgbEncode(x) : x, 0, 1));
 
 export const ownOf = ({ emissive }: FragmentExplanation, linear: boolean): Vec3 =>
   decoded(emissive, linear);
@@ -332,14 +330,10 @@ function sumLine(
   const total = parts.reduce(add, grey(0));
   const value = drawn(total, linear);
   const { digits, result, sign } = fitted(value, (n, channel) => {
-    const sum = parts.reduce((all, part) => {
-      const shown = textsOf(part, n);
-      return all + Number(shown[channel] ?? shown[0]);
-    }, 0);
+    const sum = parts.reduce((all, part) => all + Number(textsOf(part, n)[channel]), 0);
     return drawn(grey(sum), linear)[0];
   });
-  const list = parts.map((part) => joined(textsOf(part, digits)));
-  const inner = list.length === 0 ? '0' : list.join(' + ');
+  const inner = parts.map((part) => joined(textsOf(part, digits))).join(' + ') || '0';
   const encoded = linear ? `sRGB(${inner})` : inner;
   const isClamped = total.some((x) => x > 1);
   return {
@@ -357,6 +351,15 @@ function sumLine(
 }
 
 export const CHANNELS = ['red', 'green', 'blue'] as const;
+
+/**
+ * The channel in which most of the lines are to be seen, and of such channels the brightest: by so
+ * small a power a dim line counts nearly as much as a bright one.
+ */
+export function askedChannel(lines: readonly Equation[]): number {
+  const seen = lines.map(({ value }) => map(value, (x) => x ** 0.01)).reduce(add);
+  return seen.indexOf(Math.max(...seen));
+}
 
 export const isGrey = ({ value: [r, g, b] }: Equation) =>
   Math.abs(r - g) < 1e-9 && Math.abs(g - b) < 1e-9;

@@ -13,6 +13,7 @@ import {
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { clip } from '../../phong/fields/clip.js';
 import { didYouMean } from '../../phong/fields/nearest.js';
+import { isBlack } from '../../phong/math/color.js';
 import { LightState } from '../../phong/light/light-state.js';
 import { NO_SURFACE, probeSum } from '../overlay/probe/sum.js';
 import {
@@ -27,7 +28,14 @@ import {
 import tableStyles from '../overlay/probe/sum-table.css?inline';
 import { judge, type Question, questionOf, sumQuestion, type Verdict } from './answers.js';
 import { CopyButtons } from './copy-buttons.js';
-import { CHANNELS, type Equation, equationsOf, isGrey, titleOf } from './equations.js';
+import {
+  CHANNELS,
+  askedChannel,
+  type Equation,
+  equationsOf,
+  isGrey,
+  titleOf,
+} from './equations.js';
 import { FollowedPoint } from './followed-point.js';
 import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
@@ -228,10 +236,11 @@ class Probe extends ExtraElement<ProbeValues> {
     const shown = isSum || isAll ? equations : named;
     return html`<ul class="equations">
       ${shown.map((equation) => {
-        const isOpen = isAll || (equation === sum) === isSum;
-        // One channel, in which most is to be seen. The terms of a sum have that of the sum.
-        const { value } = isSum || isAll ? sum : equation;
-        const channel = value.indexOf(Math.max(...value));
+        // The terms of a sum are asked in its channel, but for those that are none in this one.
+        const { value } = equation;
+        const channel = askedChannel(isSum || isAll ? shown : [equation]);
+        const isOpen =
+          (isAll || (equation === sum) === isSum) && (value[channel] !== 0 || isBlack(value));
         const question =
           equation === sum
             ? sumQuestion(sum, lines, { fragment, linear, texts }, channel)

@@ -28,7 +28,7 @@ test('shows the table, the equation or questions of the declared point, as `as` 
   page,
   mount,
 }) => {
-  // The sum is the brightest in red.
+  // The sum is the brightest in red, in which the diffuse term is none.
   await mount(scene().replace(/51(.*)204/, 'maroon$1blue') + probe('at="0 0 0"'), size);
   const element = page.locator('phong-probe');
   await expect(element.getByRole('row').filter({ hasText: 'lamp' })).toContainText('0.25');
@@ -38,8 +38,10 @@ test('shows the table, the equation or questions of the declared point, as `as` 
   expect(await formulas(diffuse)).toBe('Kd·Id·att·max(N·L,0)=0.78·(001)·0.25·0.50=(000.10)');
   await expect(element.getByRole('table')).toHaveCount(0);
   await assign(element, { as: 'ask' });
-  await expect(element.getByRole('textbox')).toHaveCount(4);
+  await expect(element.getByRole('textbox')).toHaveCount(3);
   await expect(element).not.toContainText('0.10');
+  await assign(page.locator('phong-light'), { ambient: '#811' });
+  await expect(element.getByRole('textbox', { name: 'blue' })).toHaveCount(3);
   await assign(element, { as: null, ask: 'diffuse lamp' });
   await expect(element.getByRole('textbox')).toHaveAccessibleName('lamp · diffuse · blue');
   await assign(element, { ask: 'sum' });
