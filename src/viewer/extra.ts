@@ -7,7 +7,6 @@ export type {
   PhongMesh,
   PhongViewer,
   PictureOptions,
-  ProbeDetail,
   ValuesByTag,
 } from './element/elements.js';
 export type { AnswerDetail } from './element/phong-probe.js';
@@ -23,7 +22,7 @@ export { addStyles } from './element/page/style-sheets.js';
 export { lightName } from './element/phong-light.js';
 export { lightNameText, lightText } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
-export { historyOf, type Subject } from './element/viewer/history.js';
+export { historyOf } from './element/viewer/history.js';
 export type { ExtraRows } from './element/panel-rows.js';
 export { PANEL_PLACE } from './element/viewer/viewer-panel.js';
 export { type LoadOptions, modelCode, readerCode } from './model/request-model.js';

@@ -31,9 +31,7 @@ const warnOf = (error: unknown): void => console.warn(`<phong-viewer gui>: ${Str
 
 /** Copies the markup, or shows it below the row. The returned function stops its timer. */
 function addCopyButton(row: ButtonRow, markup: () => string): () => void {
-  const button = row.add(LABEL, () => {
-    void copy();
-  });
+  const button = row.add(LABEL, () => void copy());
   button.setAttribute('aria-live', 'polite');
   const text = document.createElement('textarea');
   Object.assign(text, { readOnly: true, hidden: true, className: 'markup', rows: 6 });

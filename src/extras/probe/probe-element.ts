@@ -237,10 +237,10 @@ class Probe extends ExtraElement<ProbeValues> {
     return html`<ul class="equations">
       ${shown.map((equation) => {
         // The terms of a sum are asked in its channel, but for those that are none in this one.
-        const { value } = equation;
         const channel = askedChannel(isSum || isAll ? shown : [equation]);
         const isOpen =
-          (isAll || (equation === sum) === isSum) && (value[channel] !== 0 || isBlack(value));
+          (isAll || (equation === sum) === isSum) &&
+          (equation.value[channel] !== 0 || isBlack(equation.value));
         const question =
           equation === sum
             ? sumQuestion(sum, lines, { fragment, linear, texts }, channel)

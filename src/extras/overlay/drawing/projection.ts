@@ -1,7 +1,7 @@
 // Projects points of the scene to the layer over the picture, and back, in float64. World space to
 // CSS pixels.
 import { basisOf, type Basis, type Pose } from '../../../phong/camera/orbit.js';
-import type { ExtraHost } from '../../../viewer/extra.js';
+import type { ExtraHost, FragmentExplanation } from '../../../viewer/extra.js';
 import { radians } from '../../../phong/math/angle.js';
 import type { Size } from '../../../phong/math/region.js';
 import {
@@ -60,6 +60,18 @@ export function projectionOf(
   const sight = { pose: orbit.pose, fov: fit.fov, ...size };
   // None before the first layout.
   return new Projection(width > 0 && height > 0 ? { ...sight, aspect: width / height } : sight);
+}
+
+/** Reports what is explained. `at`: where it is on the layer; null outside the picture. */
+export function reportProbe(
+  host: ExtraHost,
+  fragment: FragmentExplanation | null,
+  at: Point | null,
+  pinned: boolean,
+): void {
+  const { zoom } = host.size();
+  const detail = { fragment, x: at && at.x * zoom, y: at && at.y * zoom, pinned };
+  host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
 }
 
 /**

@@ -7,13 +7,12 @@ import {
   type ExtraHost,
   phrase,
   type PictureOptions,
-  type ProbeDetail,
   type ViewerTexts,
 } from '../../../viewer/extra.js';
 import { SLOP } from '../../../phong/camera/kept-drag.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
-import { ARROWS, inside, type Point } from '../drawing/projection.js';
+import { ARROWS, inside, type Point, reportProbe } from '../drawing/projection.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
 
@@ -228,7 +227,8 @@ class Probe implements Extra {
       }
       this.#acted = false;
       if (shown !== before) {
-        this.#notify(shown);
+        const { fragment = null, at = null, pinned = false } = shown ?? {};
+        reportProbe(this.#host, fragment, at, pinned);
       }
       // Not at once: a listener may have changed the viewer, which would never end. By the frames
       // of the window that shows the viewer: the opener of a popup may be hidden.
@@ -311,13 +311,5 @@ class Probe implements Extra {
       return without(HIDDEN);
     }
     return shown;
-  }
-
-  #notify(shown: ProbedPoint | null): void {
-    const { fragment = null, at = null } = shown ?? {};
-    const zoom = this.#zoom;
-    const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
-    const detail: ProbeDetail = { fragment, x, y, pinned: shown?.pinned === true };
-    this.#host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
   }
 }

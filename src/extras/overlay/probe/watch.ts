@@ -1,6 +1,6 @@
 // Reports the point of `probe-at` where no probe shows it.
-import { type Extra, type ExtraHost, type ProbeDetail } from '../../../viewer/extra.js';
-import { projectionOf } from '../drawing/projection.js';
+import type { Extra, ExtraHost } from '../../../viewer/extra.js';
+import { projectionOf, reportProbe } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
   const { viewer, values } = host;
@@ -25,12 +25,8 @@ export function create(host: ExtraHost): Extra {
         }
       });
       if (isGone || fragment === undefined) return;
-      const at =
-        fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
-      const { zoom } = host.size();
-      const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
-      const detail: ProbeDetail = { fragment, x, y, pinned: true };
-      viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
+      const at = fragment && projectionOf(host.viewport, host.size()).pointInside(probeAt);
+      reportProbe(host, fragment, at, true);
     });
   };
   return {
