@@ -509,7 +509,9 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
   await page.mouse.move(280, 130);
   await expect.poll(last).toEqual([red, 280, 130, false]);
   await page.mouse.click(280, 130);
-  await expect.poll(last).toEqual([red, 280, 130, true]);
+  // Where it was pressed, then the pixel's centre.
+  const near = (x: number): unknown => expect.closeTo(x + 0.25, 0);
+  await expect.poll(last).toEqual([red, near(280), near(130), true]);
   await escape(page);
   await expect.poll(last).toEqual([null, null, null, false]);
   const count = await events.evaluate((list) => list.length);
