@@ -127,9 +127,9 @@ export abstract class ExtraElement<V extends object> {
    */
   protected textsOf(viewer: Pick<PhongViewer, 'texts'> | null): ViewerTexts | null {
     const texts = viewer?.texts ?? null;
-    const part = this.element.closest('[lang]');
+    const part = this.element.closest('[lang]:not(:root)');
     const lang = part?.getAttribute('lang') ?? '';
-    if (lang === '' || part === part?.ownerDocument.documentElement) return texts;
+    if (lang === '') return texts;
     const isForeign = texts?.en !== undefined && !/^en\b/.test(texts.en) && /^en\b/.test(lang);
     return { ...(isForeign ? null : texts), en: lang };
   }
