@@ -13,11 +13,9 @@ export interface Extent {
   readonly bounds: Bounds | null;
   /** Distance of the farthest vertex from a point. */
   radiusAbout(point: Vec3): number;
-  /** A geometry under this world matrix reaches neither the box nor the farthest vertex. */
-  holds(geometry: BufferGeometry, matrix: readonly number[]): boolean;
 }
 
-const NO_EXTENT: Extent = { bounds: null, radiusAbout: () => 0, holds: () => false };
+const NO_EXTENT: Extent = { bounds: null, radiusAbout: () => 0 };
 
 interface Placed {
   readonly size: GeometrySize;
@@ -42,9 +40,8 @@ export function measure(root: Object3D): Extent {
   if (meshes.length === 0) return NO_EXTENT;
   const low: MutableVec3 = [Infinity, Infinity, Infinity];
   const high: MutableVec3 = [-Infinity, -Infinity, -Infinity];
-  /** `share` of a sphere is inside the box. */
-  const inside = ({ center, radius }: Bounds, share: number): boolean => {
-    const r = share * radius;
+  const isInside = ({ center, radius }: Bounds): boolean => {
+    const r = (1 - SAME) * radius;
     for (const i of AXES) {
       if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     }
@@ -57,7 +54,7 @@ export function measure(root: Object3D): Extent {
     }
   }
   for (const mesh of meshes) {
-    if (isTurned(mesh.matrix) && !inside(sphereOf(mesh), 1 - SAME)) {
+    if (isTurned(mesh.matrix) && !isInside(sphereOf(mesh))) {
       extend(low, high, mesh.size.vertices(), mesh.matrix);
     }
   }
@@ -67,13 +64,6 @@ export function measure(root: Object3D): Extent {
   return {
     bounds: { center, radius },
     radiusAbout: (point) => farthestFrom(point, meshes),
-    holds(geometry, matrix) {
-      const size = measuredOf(geometry);
-      if (size === null) return false;
-      const sphere = sphereOf({ size, matrix });
-      const fromCenter = distance(center, ...sphere.center) + sphere.radius;
-      return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * radius;
-    },
   };
 }
 

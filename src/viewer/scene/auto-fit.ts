@@ -1,6 +1,6 @@
 // Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each
 // frame how deep it is.
-import type { Mesh, Scene } from 'three';
+import type { Scene } from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import { type Fit, fitTo, type Framing } from '../../phong/geometry/framing.js';
 import type { Orbit } from '../../phong/camera/orbit.js';
@@ -75,30 +75,6 @@ export class AutoFit {
   reshaped(): void {
     this.#measured = null;
     this.#refit();
-  }
-
-  /**
-   * A mesh has moved from where its world matrix is. Inside the bounds at both places it leaves
-   * them.
-   */
-  moved(mesh: Mesh): void {
-    if (this.#staysInside(mesh)) {
-      this.#picture.invalidate();
-    } else {
-      this.reshaped();
-    }
-  }
-
-  #staysInside({ geometry, matrixWorld, matrix, parent }: Mesh): boolean {
-    const extent = this.#measured;
-    // Other points than the bounds' centre have other farthest vertices.
-    const { target = 'auto', radius = 0 } = this.#framing ?? {};
-    const isFitted = this.#fitted !== null || this.#framing === null;
-    if (extent === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) {
-      return false;
-    }
-    if (target !== 'auto' && radius === 'auto') return false;
-    return [matrixWorld, matrix].every(({ elements }) => extent.holds(geometry, elements));
   }
 
   resized({ width, height }: Size): void {

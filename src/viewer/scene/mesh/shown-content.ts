@@ -1,6 +1,6 @@
 // One content in the scene: the parts that show it, with the geometries of their shading or level,
 // their materials, their place and their pose.
-import type { Mesh, Object3D } from 'three';
+import type { Object3D } from 'three';
 import { radians } from '../../../phong/math/angle.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import type { Shading, ShadingStyle } from '../../../phong/material/material-values.js';
@@ -25,10 +25,6 @@ import type { GeometryName } from '../../../phong/model/shapes/shapes.js';
 export interface ContentPicture {
   readonly materials: SharedMaterials;
   readonly style: ShadingStyle;
-  readonly fit: {
-    /** A mesh has moved from where its world matrix is. */
-    moved(mesh: Mesh): void;
-  };
   /** Meshes were moved, or show another geometry. */
   reshaped(): void;
 }
@@ -164,11 +160,7 @@ export class ShownContent {
     root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
     root.scale.set(...scale);
     root.updateMatrix();
-    if (last !== null && mesh === root) {
-      this.picture.fit.moved(mesh);
-    } else {
-      this.picture.reshaped();
-    }
+    this.picture.reshaped();
   }
 
   /** Call after the next one is there: equal looks keep their material, and so their program. */
