@@ -37,7 +37,7 @@ const BUDGETS = {
   'src/phong': 69_660,
   'src/viewer': 59_415,
   'src/extras/models': 65_960,
-  'src/extras/overlay': 30_380,
+  'src/extras/overlay': 30_180,
   'src/extras/probe': 11_910,
   'src/extras/panel': 19_480,
   'src/extras/still': 22_210,

@@ -15,24 +15,12 @@ export const createSvg = <Tag extends keyof SVGElementTagNameMap>(
   set(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes);
 
 /**
- * As written last. Reading attributes back from the page took a tenth of the script of a frame with
- * 64 lights.
- */
-const written = new WeakMap<Element, Record<string, string | null>>();
-
-/**
  * Writes only what changes: every write is a mutation that the browser restyles and that the page
- * may observe. Null removes an attribute. Nothing else may write these attributes.
+ * may observe. Null removes an attribute.
  */
 export function set<E extends Element>(element: E, attributes: Attributes): E {
-  let before = written.get(element);
-  if (before === undefined) {
-    written.set(element, (before = {}));
-  }
-  for (const name of Object.keys(attributes)) {
-    const value = attributes[name] ?? null;
-    if ((before[name] ?? null) === value) continue;
-    before[name] = value;
+  for (const [name, value] of Object.entries(attributes)) {
+    if (element.getAttribute(name) === value) continue;
     if (value === null) {
       element.removeAttribute(name);
     } else {

@@ -44,7 +44,7 @@ export class SvgLayer {
       const elements =
         shown?.item.kind === item.kind ? shown.elements : this.#add(item.kind, shown?.elements);
       this.#shown[i] = { item, elements };
-      draw(elements, item, elements === shown?.elements ? shown.item : null);
+      draw(elements, item);
     });
     for (const { elements } of this.#shown.splice(list.length)) {
       for (const each of elements) {
@@ -67,21 +67,7 @@ export class SvgLayer {
   }
 }
 
-/** `before`: what the elements show. While the camera moves only places differ from it. */
-function draw(
-  [halo, core]: readonly SVGElement[],
-  item: DrawnItem,
-  before: DrawnItem | null,
-): void {
-  if (item.kind !== 'label') {
-    const place =
-      item.kind === 'disc'
-        ? { cx: round(item.center.x), cy: round(item.center.y), r: round(item.radius) }
-        : { d: pathOf(item.lines, item.filled === true) };
-    set(halo!, place);
-    set(core!, place);
-  }
-  if (before !== null && sameLook(before, item)) return;
+function draw([halo, core]: readonly SVGElement[], item: DrawnItem): void {
   const opacity = String(item.opacity ?? 1);
   if (item.kind === 'label') {
     const { at, text, color, part = null } = item;
@@ -96,7 +82,12 @@ function draw(
     write(set(halo!, { ...place, ...outline }), text);
     return;
   }
+  const place =
+    item.kind === 'disc'
+      ? { cx: round(item.center.x), cy: round(item.center.y), r: round(item.radius) }
+      : { d: pathOf(item.lines, item.filled === true) };
   const shape = {
+    ...place,
     'stroke-linejoin': 'round',
     'stroke-dasharray': item.dashed === true ? DASHES.join(' ') : 'none',
     opacity,
@@ -110,17 +101,6 @@ function draw(
     'stroke-width': String(item.width),
   });
 }
-
-/** Whether all is the same but where a shape is. Labels have few attributes. */
-const sameLook = (a: DrawnItem, b: DrawnItem): boolean =>
-  a.kind !== 'label' &&
-  b.kind !== 'label' &&
-  a.color === b.color &&
-  a.width === b.width &&
-  a.dashed === b.dashed &&
-  a.outline === b.outline &&
-  a.opacity === b.opacity &&
-  coreOf(a).fill === coreOf(b).fill;
 
 const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =>
   lines
