@@ -59,7 +59,7 @@ export async function modelContent(
   try {
     const file = await read();
     const slices = new Slices(signal);
-    const bytes = await asUtf8(file.bytes, budget, slices);
+    const bytes = asUtf8(file.bytes);
     const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
     const reader = await readerOf(format);
     signal.throwIfAborted();

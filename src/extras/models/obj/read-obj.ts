@@ -126,7 +126,7 @@ async function readLibraries(
     const readAll = async (bytes: FileBytes['bytes']): Promise<Materials> => {
       budget.add({ text: bytes.byteLength });
       const folder = library.slice(0, library.lastIndexOf('/') + 1);
-      return readMtl(await asUtf8(bytes, budget, slices), folder, slices);
+      return readMtl(asUtf8(bytes), folder, slices);
     };
     const found = await optional(library, () => firstOf(paths, linked), readAll);
     return found && [...found].filter(([name]) => usedPlain.has(plainName(name)));
