@@ -36,7 +36,7 @@ const tokensBelow = (folder: string) =>
 const BUDGETS = {
   'src/phong': 69_660,
   'src/viewer': 59_415,
-  'src/extras/models': 65_890,
+  'src/extras/models': 65_680,
   'src/extras/overlay': 30_180,
   'src/extras/probe': 11_910,
   'src/extras/panel': 19_480,
@@ -50,7 +50,7 @@ const BUDGETS = {
   'src/extras/frameworks': 1_070,
   'src/extras/exercise': 10_000,
   'src/extras/diagnosis': 2_280,
-  tests: 494_120,
+  tests: 493_560,
 };
 
 it.each(Object.entries(BUDGETS))('%s has no more tokens than its budget', (folder, most) => {

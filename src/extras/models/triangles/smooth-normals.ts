@@ -26,13 +26,6 @@ const TURNED_AWAY = -0.5;
 const FAN_LIMIT = 256;
 
 /**
- * Pairs in one model, about a second, after which only as many corners are compared as a vertex
- * usually has.
- */
-const PAIR_LIMIT = 2 ** 28;
-const USUAL_FAN = 16;
-
-/**
  * Faces whose sum is no longer than this share of its terms cancel: what is left is rounding of
  * float32 normals.
  */
@@ -44,14 +37,10 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
   if (around.length === 0) return;
   const faces = await measuredFaces(lists, slices);
   const fan = new Fan();
-  let pairs = 0;
   for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
     let from = starts[vertex]!;
     const end = starts[vertex + 1]!;
-    const smoothed = end - from <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
-    if (smoothed) {
-      pairs += (end - from) * (end - from);
-    }
+    const smoothed = end - from <= FAN_LIMIT;
     do {
       const count = Math.min(end - from, FAN_LIMIT);
       if (slices.took(1 / 64 + count * (1 + count / 64))) {

@@ -7,12 +7,8 @@ import { type CornerLists, NONE, setItem, UNSTATED } from './corner-lists.js';
  */
 const EAR_LIMIT = 256;
 
-/**
- * Steps of cutting ears in one polygon, and in all of a model, after which any triangle is cut off:
- * 5 ms, 1 s.
- */
+/** Steps of cutting ears in one polygon after which any triangle is cut off: 5 ms. */
 const POLYGON_STEPS = 2 ** 20;
-const MODEL_STEPS = 2 ** 27;
 
 /**
  * Takes the corners of a file's polygons, one after the other, and adds their triangles to its
@@ -68,7 +64,7 @@ export class Polygons {
   end(): void {
     const count = this.#count;
     if (this.#isFan || count < 3) return;
-    if (count > 3 && this.steps < MODEL_STEPS && !this.#isConvex(count)) {
+    if (count > 3 && !this.#isConvex(count)) {
       this.#cutEars(flattened(this.#lists.places.array, this.#v.subarray(0, count)), count);
     } else {
       this.#fan();
