@@ -9,9 +9,10 @@ import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
 import { assign, holdBack } from '../../element/support/viewer.js';
 import { readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
 
-const scene = `<phong-viewer alt="A scene" geometry="box" gui>
-  <phong-light name="lamp" position="-1 -2 3 1" cutoff="4" axis="0 -1 0"></phong-light>
-  <phong-mesh name="ball" geometry="sphere"></phong-mesh></phong-viewer>`;
+const scene = `<phong-viewer alt="A scene" geometry="box" gui
+    theta="-15.9944" target="-15.9944 -15.9944 -15.9944">
+  <phong-light name="lamp" position="-15.9944 -15.9944 -15.9944 1" cutoff="4" axis="-0.9944 -0.9944 -0.9944" attenuation="15.9944 15.9944 15.9944"></phong-light>
+  <phong-mesh name="ball" geometry="sphere" position="-15.9944 -15.9944 -15.9944" rotation="-15.9944 -15.9944 -15.9944"></phong-mesh></phong-viewer>`;
 
 /** Opens every folder, so that all rows are shown. */
 async function openAll(viewer: Locator) {
@@ -123,7 +124,10 @@ for (const [width, height, of] of [
   });
 }
 
-test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page, mount }) => {
+test('text of 16 and 24 pixels cuts nothing, in a column and as a sheet', async ({
+  page,
+  mount,
+}) => {
   await page.setViewportSize({ width: 1280, height: 800 });
   const css = 'phong-viewer { font-size: 24px }';
   const viewer = await mount(scene, { width: 1280, height: 800, css });
@@ -134,10 +138,15 @@ test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page
   expect(parseFloat(arrow), 'signs grow with the text').toBeGreaterThan(15);
   for (const texts of [null, readyTexts('de')]) {
     await assign(viewer, { texts });
-    for (const width of [1280, 390]) {
-      await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+    for (const css of [
+      'width: 1280px',
+      'width: 390px',
+      'font-size: 16px',
+      'width: 390px; font-size: 16px',
+    ]) {
+      await viewer.evaluate((element, style) => (element.style.cssText = style), css);
       await expectNothingCut(viewer);
-      expect(await cutChoices(viewer), `${width}`).toEqual([]);
+      expect(await cutChoices(viewer), css).toEqual([]);
     }
   }
 });
