@@ -20,13 +20,7 @@ import { type Images, imagesOf } from './paint.js';
 import type { PicturePoints } from './picture.js';
 import { run } from './program.js';
 import { inTasks } from '../explain/in-tasks.js';
-import {
-  only,
-  type SceneName,
-  sheetOf,
-  type SheetPoint,
-  type Task,
-} from '../../phong/mistakes/sheet.js';
+import { type SceneName, sheetOf, type SheetPoint, type Task } from '../../phong/mistakes/sheet.js';
 
 /** What the event `check` has, and the command for marking reads. */
 export interface Outcome {
@@ -75,10 +69,9 @@ export async function check(
   signal: AbortSignal,
 ): Promise<Verdict> {
   const points = sheetOf(task, COUNT);
-  const few = points.filter((_, i) => i % COUNT < ALONE);
   const shared = [picture?.cases ?? [], points.map(({ given }) => [given])];
   const alone = task.terms.map((term) =>
-    few.map(({ given }) => [{ ...given, light: only([term], given.light) }]),
+    sheetOf({ ...task, terms: [term] }, ALONE).map(({ given }) => [given]),
   );
   const parts = [...shared, ...alone];
   const colors = await run(guarded(source), parts.flat(), shared.flat().length, signal);

@@ -62,11 +62,11 @@ export const colorAt = (colors: Colors, i: number): Vec3 => [
 ];
 
 /** Within a step; above 1 in proportion. NaN is not. */
-const isWithinStep = (found: Vec3, exact: Vec3): boolean =>
+const isWithinStep = (found: Vec3, exact: Vec3) =>
   exact.every((x, k) => Math.abs(found[k]! - x) <= STEP * Math.max(1, Math.abs(x)));
 
 /** Small colours are compared in proportion: black is not a colour divided by 255. */
-function isSame(found: Vec3, expected: Vec3): boolean {
+function isSame(found: Vec3, expected: Vec3) {
   const size = Math.max(...expected.map(Math.abs));
   if (size > LARGEST) return !found.every((x) => Math.abs(x) < LARGEST);
   return expected.every((x, k) => Math.abs(found[k]! - x) <= STEP * size + LEAST);
@@ -94,7 +94,7 @@ const SHIFT = 2e-5;
 /** SwiftShader's cos() is off by 1.8e-4 at 25 radians. */
 const COSINE = 2e-4;
 
-const isMoved = (a: Vec3, b: Vec3): boolean =>
+const isMoved = (a: Vec3, b: Vec3) =>
   a.some((x, k) => !(Math.abs(x - b[k]!) < 2 * STEP * Math.max(1, Math.abs(x))));
 
 function shifted(given: Given, sign: number): Given {
@@ -132,7 +132,7 @@ export interface Judged {
  * returns, since no picture shows that: the sum of the lamps reaches 1 where one of them does.
  */
 export function* compare(cases: readonly Case[], colors: Colors, isSheet = false): Work<Judged> {
-  const isFine = (found: Vec3, right: Vec3): boolean =>
+  const isFine = (found: Vec3, right: Vec3) =>
     isSheet
       ? isWithinStep(found, right) || isWithinStep(found, map(right, shownValue))
       : isWithinStep(map(found, shownValue), map(right, shownValue));
@@ -171,7 +171,7 @@ export function* mistakesIn(judged: readonly Judged[]): Work<readonly MistakeId[
     if (defined.length < DEFINED * cases.length) return [];
   }
   // Else a form that this task does not show would explain them all.
-  const isExplained = ({ colors, wrong }: Judged): boolean =>
+  const isExplained = ({ colors, wrong }: Judged) =>
     wrong.some((i) => !isUndefined(colorAt(colors, i)));
   if (!judged.some(isExplained)) return [];
   const areClamped = judged.every(isClamped);
@@ -210,7 +210,7 @@ interface Candidate {
 const FORMS = MISTAKE_IDS.flatMap((id) => formsOf(id).map((form) => ({ id, form })));
 
 /** Whether all is between 0 and 1, where the right colours are not. */
-const isClamped = ({ cases, colors, isSheet }: Judged): boolean =>
+const isClamped = ({ cases, colors, isSheet }: Judged) =>
   !isSheet ||
   (cases.some((at) => exactAt(at).some((x) => x > 1)) &&
     cases.every((_, i) => colorAt(colors, i).every((x) => !(x < 0 || x > 1))));
@@ -239,7 +239,7 @@ function* best(
 /** How many cases a form does not explain; Infinity where these are too many. */
 function* straysOf(part: Judged, form: Form, areClamped: boolean): Work<number> {
   const { cases, colors, wrong, count, isSheet } = part;
-  const differs = (i: number): boolean => {
+  const differs = (i: number) => {
     const found = colorAt(colors, i);
     return (
       !isUndefined(found) &&
@@ -271,7 +271,7 @@ function* straysOf(part: Judged, form: Form, areClamped: boolean): Work<number> 
 }
 
 /** The power of a negative number: a mistake can bring it, and says nothing about others. */
-const isUndefined = (found: Vec3): boolean => found.some(Number.isNaN);
+const isUndefined = (found: Vec3) => found.some(Number.isNaN);
 
 /** Share of points at which a function that gets a name has to be defined. */
 const DEFINED = 0.5;
@@ -298,7 +298,7 @@ const REGIONS = [
 /** Kinds of lights and regions that hold nearly all wrong points. */
 export function differenceOf({ cases, wrong }: Judged): Difference {
   const givens = wrong.map((i) => cases[i]![0]!);
-  const share = (holds: (given: Given) => boolean): number =>
+  const share = (holds: (given: Given) => boolean) =>
     givens.filter(holds).length / Math.max(givens.length, 1);
   const kinds = KINDS.filter((kind) => share(({ light }) => kindOf(light) === kind) > STRAY);
   const regions = REGIONS.filter(

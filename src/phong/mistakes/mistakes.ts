@@ -46,7 +46,7 @@ const attenuated = (
 });
 
 /** kc + kl·d + kq·d, or with 2d for d². */
-const unsquared = ({ d }: Readonly<Values>, { light: { attenuation: k } }: Given, by = 1): number =>
+const unsquared = ({ d }: Readonly<Values>, { light: { attenuation: k } }: Given, by = 1) =>
   k[0] + (k[1] + by * k[2]) * d;
 
 /** The cone with its edge at another angle, in radians, found by the angle or by its cosine. */
@@ -110,7 +110,7 @@ const capped: readonly Form[] = [
 
 const absoluteLambert: Form = { lambert: ({ NoL }) => Math.abs(NoL) };
 const ungated: Form = { spec: ({ lobe }) => lobe };
-const halved = (NoL: number): number => 0.5 * NoL + 0.5;
+const halved = (NoL: number) => 0.5 * NoL + 0.5;
 const raisedLambert: Form = { lambert: ({ NoL }, { material }) => power(NoL, material.shininess) };
 
 const longLightCones = byCosine(({ toLight }, { light }) => [toLight, normalize(light.axis)]);

@@ -120,8 +120,10 @@ export const only = (terms: readonly Term[], light: Lamp): Lamp => ({
 
 function pointAt(about: Scene, { terms, reflection }: Task, random: () => number): Given {
   const { axis, aperture, cutoff, attenuation, position, shininess } = about;
-  const between = (low: number, high: number): number => low + (high - low) * random();
-  const vector = (low: number, high: number): Vec3 => map(ORIGIN, () => between(low, high));
+  const between = (low: number, high: number) => low + (high - low) * random();
+  const vector = (low: number, high: number) => map(ORIGIN, () => between(low, high));
+  // Neither the lamp nor the surface has a colour for the other terms.
+  const of = (term: Term, color: Vec3) => (terms.includes(term) ? short(color) : BLACK);
   let p = vector(-1, 1);
   if (about.kind === 'spot') {
     // Mostly where a cone cuts, and some behind it.
@@ -141,20 +143,20 @@ function pointAt(about: Scene, { terms, reflection }: Task, random: () => number
   const stray = random() < 0.5 ? 0.35 : 1.5;
   const toward = add(normalize(add(scale(L, between(-0.7, 1)), V)), vector(-stray, stray));
   return {
-    light: only(terms, {
-      ambient: short(vector(0.1, 0.5)),
-      diffuse: short(vector(0.4, 1)),
-      specular: short(vector(0.4, 1)),
+    light: {
+      ambient: of('ambient', vector(0.1, 0.5)),
+      diffuse: of('diffuse', vector(0.4, 1)),
+      specular: of('specular', vector(0.4, 1)),
       position,
       axis,
       aperture,
       cutoff,
       attenuation,
-    }),
+    },
     material: {
-      ka: short(vector(0.2, 1)),
-      kd: short(vector(0.2, 1)),
-      ks: short(vector(0.3, 1)),
+      ka: of('ambient', vector(0.2, 1)),
+      kd: of('diffuse', vector(0.2, 1)),
+      ks: of('specular', vector(0.3, 1)),
       shininess,
     },
     p: short(p),
@@ -165,14 +167,14 @@ function pointAt(about: Scene, { terms, reflection }: Task, random: () => number
   };
 }
 
-const short = (v: Vec3): Vec3 => map(v, (x) => Math.round(1000 * x) / 1000);
+const short = (v: Vec3) => map(v, (x) => Math.round(1000 * x) / 1000);
 
 /**
  * Whether neither the right equation nor a wrong one jumps near the point: N·L is not near 0, and
  * the angle off the axis is near no edge of a cone. The distances are hundreds of roundings of
  * float32, and more than what three decimals of an input change.
  */
-function isFarFromJumps(given: Given): boolean {
+function isFarFromJumps(given: Given) {
   const { light, normal, eye, p } = given;
   const { aperture, axis } = light;
   const toLight = toLightOf(given);

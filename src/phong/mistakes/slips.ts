@@ -14,9 +14,9 @@ import {
 } from './mistakes.js';
 import { eachTerm, type Given, power, RIGHT, type Values } from './steps.js';
 
-const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
+const degreesOf = (cosine: number) => Math.acos(clamp(cosine, -1, 1)) / radians(1);
 
-const sineOf = (cosine: number): number => Math.sqrt(Math.max(1 - cosine * cosine, 0));
+const sineOf = (cosine: number) => Math.sqrt(Math.max(1 - cosine * cosine, 0));
 
 const grey = (x: number): Vec3 => [x, x, x];
 

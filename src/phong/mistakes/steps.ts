@@ -116,7 +116,7 @@ export const toLightOf = (given: PlacedLight): Vec3 =>
 export const angleOf = ({ L, A }: Readonly<Pick<Values, 'L' | 'A'>>): number =>
   Math.atan2(length(cross(L, negate(A))), dot(L, negate(A)));
 
-const isSpot = ({ A, L }: Readonly<Values>): boolean => dot(A, A) > 0 && dot(L, L) > 0;
+const isSpot = ({ A, L }: Readonly<Values>) => dot(A, A) > 0 && dot(L, L) > 0;
 
 /** max(x, 0)^n, with x^0 = 1 for every x. */
 export const power = (x: number, n: number): number =>

@@ -85,7 +85,7 @@ test('hints say as much as they are asked to, a solution comes after a right ans
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 800 });
-  const source = WRONG_ONES['no-ambient']!['missing']!;
+  const source = RIGHT.replace('m.ka * light.ambient', 'm.ka');
   await mount(lamp + exercise('hint="where" solution', source), { css });
   await runFirst(page);
   await expect(verdict(page)).toContainText('It differs in: Ambient term.');
