@@ -365,7 +365,7 @@ test.describe('an open panel', () => {
 });
 
 test.describe('a legend', () => {
-  test('has one line in pictures below 260 pixels, or two where its scale needs them, and fits', async ({
+  test('has one line in pictures below 260 pixels, or two where its scale or its lights need them, and fits', async ({
     page,
     mount,
   }) => {
@@ -381,7 +381,7 @@ test.describe('a legend', () => {
       for (const width of [259, 180, 140]) {
         await assign(viewer, { view });
         await setWidth(viewer, width);
-        const lines = view === 'normals' && width < 200 ? 2 : 1;
+        const lines = width < { 'n-dot-l': 0, normals: 200, diffuse: 150 }[view] ? 2 : 1;
         expect(Math.round((await height()) / 20), `${view}, ${width}`).toBe(lines);
         expect((await rectOf(legend)).right, `${view}, ${width}`).toBeLessThanOrEqual(width);
         const cut = await legend.evaluate((element) => element.scrollWidth - element.clientWidth);

@@ -160,7 +160,7 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
 });
 
 for (const view of ['specular', 'attenuation']) {
-  test(`the title of a small legend of ${view} stays whole while the rest gives way`, async ({
+  test(`the title of a small legend of ${view} stays whole, and its lights give way to a scale alone`, async ({
     mount,
   }) => {
     const markup = `<phong-viewer geometry="sphere" view="${view}"></phong-viewer>`;
@@ -175,7 +175,7 @@ for (const view of ['specular', 'attenuation']) {
         }),
       );
     expect(cut[0]).toBe(0);
-    expect(cut[1]).toBeGreaterThan(1);
+    expect(cut[1]! > 1).toBe(view === 'attenuation');
   });
 }
 
