@@ -78,7 +78,8 @@ export class FollowedPoint {
   /** Explained before the point. */
   #place: Place | null = null;
   #seeded: { readonly key: string; readonly point: Vec3 } | null = null;
-  #busy = false;
+  /** Also until everything requested is there. Viewers far from view need not be drawn for that. */
+  #busy = true;
   #again = false;
 
   /**
@@ -103,7 +104,10 @@ export class FollowedPoint {
     void viewer.updateComplete
       .then(() => this.#listen())
       .then(() => viewer.ready)
-      .then(() => this.update());
+      .then(() => {
+        this.#busy = false;
+        this.update();
+      });
   }
 
   /** Explains the point again, because anything may have changed. */
@@ -112,9 +116,8 @@ export class FollowedPoint {
   }
 
   readonly #update = (): void => {
-    const viewer = this.#viewer;
     this.#again = this.#busy;
-    if (this.#busy || !this.#ring.isConnected || !viewer.loaded) return;
+    if (this.#busy || !this.#ring.isConnected) return;
     this.#busy = true;
     const done = (fragment: FragmentExplanation | null, error?: Error): void => {
       if (this.#isOver) return;

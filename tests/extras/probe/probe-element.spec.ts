@@ -321,14 +321,14 @@ test('has the numbers of the language around it, and English words in an English
   await expect(english!).toContainText(/lamp · diffuse[^]*0\.078/);
 });
 
-test('is as wide as its place, with all fields in view on a phone, and whole on paper', async ({
+test('is as wide as its place, with all fields in view on a phone, and whole on paper far down the page', async ({
   page,
   mount,
 }) => {
   await page.setViewportSize({ width: 390, height: 800 });
   await mount(
     `${scene().replace('</phong-viewer>', '<phong-light name="red" position="-1 2 1 1" diffuse="255 60 30" attenuation="1 0.1 0.2" aperture="60" cutoff="3" axis="1 -2 -1"></phong-light></phong-viewer>')}${probe('as="ask" at="0 0 0"')}${probe('as="formula" at="0 0 0"')}`,
-    { width: 300, height: 200, css: 'body { font-size: 24px }' },
+    { width: 300, height: 200, css: 'body { font-size: 24px; padding-top: 3000px }' },
   );
   const fields = page.getByRole('textbox');
   await expect(fields).toHaveCount(6);
