@@ -259,7 +259,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
         </p>
         <details>
           <summary>${this.#say('What the function gets')}</summary>
-          <pre tabindex="0">${GIVEN_GLSL}</pre>
+          <pre>${GIVEN_GLSL}</pre>
           <p>${help}</p>
         </details>
       </div>
@@ -367,7 +367,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
     if (!this.values.solution || this.#solved === null) return nothing;
     return html`<details open>
       <summary>${this.#say('The exact function')}</summary>
-      <pre tabindex="0">${solutionFor(this.#solved)}</pre>
+      <pre>${solutionFor(this.#solved)}</pre>
     </details>`;
   }
 }
