@@ -35,7 +35,7 @@ const tokensBelow = (folder: string) =>
 
 const BUDGETS = {
   'src/phong': 69_660,
-  'src/viewer': 59_415,
+  'src/viewer': 59465,
   'src/extras/models': 65_680,
   'src/extras/overlay': 30_180,
   'src/extras/probe': 11_910,
@@ -44,13 +44,13 @@ const BUDGETS = {
   'src/extras/png': 1_940,
   'src/extras/lazy': 830,
   'src/extras/explain': 8_930,
-  'src/extras/samples': 4_960,
+  'src/extras/samples': 4_970,
   'src/extras/compare': 4_580,
   'src/extras/playwright': 4_090,
   'src/extras/frameworks': 1_070,
   'src/extras/exercise': 10_000,
   'src/extras/diagnosis': 2_280,
-  tests: 493_560,
+  tests: 493614,
 };
 
 it.each(Object.entries(BUDGETS))('%s has no more tokens than its budget', (folder, most) => {

@@ -179,8 +179,11 @@ export function sendBatch(
   // Another frame may have been drawn since.
   picture.make(size, samples, 1, performance.now() + BATCH_MS);
   if (picture.levels.isPaused) return;
-  batches.send(samples - sum.count, () => {
-    const { x, y } = centredOffset(sum.count, samples);
-    sum.add(() => picture.draw(renderer, { ...tile, x: tile.x + x, y: tile.y + y }));
+  const { side } = sum;
+  const wanted = Math.ceil(samples / side ** 2);
+  const drawn = () => sum.count / side ** 2;
+  batches.send(wanted - drawn(), () => {
+    const { x, y } = centredOffset(drawn(), wanted);
+    sum.add(() => picture.draw(renderer, { ...tile, x: tile.x + x / side, y: tile.y + y / side }));
   });
 }

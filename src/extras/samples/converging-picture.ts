@@ -4,7 +4,7 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import { type SampledViewport, stage } from '../../viewer/extra.js';
 import { Batches, sendBatch } from './batches.js';
-import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
+import { MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
 import { type Region, type Size, SAFE_SIDE, tilesOf } from '../../phong/math/region.js';
@@ -189,9 +189,9 @@ export class ConvergingPicture {
       this.#picture = pictureTarget(width, height);
       this.#pace = 1;
     }
-    const tiles = tilesOf({ width, height }, MOST_SUMMED);
+    const tiles = tilesOf({ width, height }, MOST_SUMMED, SAFE_SIDE);
     const sum = sharedSum(renderer);
-    if (!canSum(renderer) || !sum.begin(tiles[0]!)) {
+    if (!sum.begin(tiles[0]!, this.#viewport.picture.samplesASide)) {
       this.#fail();
       return null;
     }
@@ -217,7 +217,7 @@ export class ConvergingPicture {
       }
       sendBatch(batches, sum, this.#wanted, this.#viewport, tile, renderer, this.#viewport.picture);
     }
-    const complete = sum.count === this.#wanted;
+    const complete = sum.count >= this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = shown && (isLast || (tiles.length === 1 && sum.count >= run.nextShown));
     if (shows || (complete && !isLast)) {
@@ -225,7 +225,7 @@ export class ConvergingPicture {
     }
     if (complete && !isLast) {
       run.tile += 1;
-      if (!sum.begin(tiles[run.tile]!)) {
+      if (!sum.begin(tiles[run.tile]!, sum.side)) {
         this.#fail();
       }
     }
@@ -319,13 +319,14 @@ function* drawBatches(
   atOnce: boolean,
 ): Generator<void, HTMLCanvasElement | null> {
   const target = stage.newTarget(size);
+  picture.updateMatrices();
   for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
     const renderer = stage.open(tile);
     const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, 1);
     const sum = new SampleSum(renderer);
     const mean = pictureTarget(tile.width, tile.height);
     try {
-      if (!canSum(renderer) || !sum.begin(tile)) return null;
+      if (!sum.begin(tile, picture.samplesASide)) return null;
       while (sum.count < samples) {
         if (atOnce || batches.poll()) {
           if (!stage.drawAside((r) => sendBatch(batches, sum, samples, size, tile, r, picture))) {

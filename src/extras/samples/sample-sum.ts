@@ -1,12 +1,11 @@
-// The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which
-// clamp as the canvas does. Its codes are added in float32, which holds 1,024 × 255 exactly. Half
-// floats do not do: they are exact to 2,048, the codes of 8 white samples, and end at 65,504, those
-// of 256.
+// The sum of a picture's samples on the GPU. Four at a time are drawn without multisampling, as a
+// picture of twice the size: shapes are set up once for all of them. It has 8 bits, which clamp as
+// the canvas does. Its codes are added in float32, which holds 1,024 × 255 exactly. Half floats do
+// not do: they are exact to 2,048, the codes of 8 white samples, and end at 65,504, those of 256.
 import {
   FloatType,
   NearestFilter,
   SRGBColorSpace,
-  WebGLArrayRenderTarget,
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
@@ -14,29 +13,22 @@ import { ScreenPass } from './screen-pass.js';
 import { type Region, type Size } from '../../phong/math/region.js';
 
 /**
- * Most pixels of one sum. Its buffers take 52 bytes a pixel: 218 MB, and 108 MB at 1080p. Larger
+ * Most pixels of one sum. Its buffers take 64 bytes a pixel: 268 MB, and 133 MB at 1080p. Larger
  * pictures are summed in tiles.
  */
 export const MOST_SUMMED = 2 ** 22;
 
-/**
- * Samples that are added at once. One by one, adding takes 1.3 times as long as drawing (sphere,
- * one light, 1080p, H200), and blending 4.7 times.
- */
-const LAYERS = 4;
-
-export const canSum = (renderer: WebGLRenderer): boolean =>
-  renderer.extensions.has('EXT_color_buffer_float');
-
 export class SampleSum {
   readonly #renderer: WebGLRenderer;
   readonly #add = new ScreenPass(`color = texel;
-  for (int i = 0; i < int(uCount); i++) color += floor(texelFetch(uLayers, ivec3(at, i), 0) * 255.0 + 0.5);`);
+  int side = int(uCount);
+  for (int i = 0; i < side * side; i++) {
+    color += floor(texelFetch(uSamples, side * at + ivec2(i % side, i / side), 0) * 255.0 + 0.5);
+  }`);
   readonly #mean = new ScreenPass('color = floor(texel / uCount + 0.5) / 255.0;');
   #targets: ReturnType<typeof targetsOf> | null = null;
   #count = 0;
-  /** Samples that are drawn and not added yet. */
-  #layers = 0;
+  #side = 1;
 
   constructor(renderer: WebGLRenderer) {
     this.#renderer = renderer;
@@ -46,13 +38,21 @@ export class SampleSum {
     return this.#count;
   }
 
-  /** Starts at no sample. False: the GPU has no memory for a sum of this size. */
-  begin({ width, height }: Size): boolean {
+  /** Samples a side of a pixel that are drawn at once. */
+  get side(): number {
+    return this.#side;
+  }
+
+  /** Starts at no sample. False: the GPU has no float targets, or no memory for these. */
+  begin({ width, height }: Size, side: number): boolean {
     const renderer = this.#renderer;
-    this.#count = this.#layers = 0;
-    if (this.#targets?.samples.width !== width || this.#targets.samples.height !== height) {
+    if (!renderer.extensions.has('EXT_color_buffer_float')) return false;
+    const { sum } = this.#targets ?? {};
+    this.#count = 0;
+    if (sum?.width !== width || sum.height !== height || side !== this.#side) {
       this.free();
-      this.#targets = targetsOf(width, height);
+      this.#side = side;
+      this.#targets = targetsOf(width, height, side);
       renderer.setRenderTarget(this.#targets.sum);
       const gl = renderer.getContext();
       if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
@@ -61,29 +61,30 @@ export class SampleSum {
         return false;
       }
     }
-    clear(renderer, this.#targets.sum);
+    clear(renderer, this.#targets!.sum);
     // Drivers allocate with the first use: better now than in a later batch, which would be late.
-    clear(renderer, this.#targets.spare);
+    clear(renderer, this.#targets!.spare);
     return true;
   }
 
   /**
-   * Adds the sample that `paint` draws into the renderer's present target, which it must not clear.
+   * Adds the samples that `paint` draws into the renderer's present target, which it must not
+   * clear.
    */
   add(paint: () => void): void {
-    clear(this.#renderer, this.#targets!.samples, this.#layers);
+    const { samples, sum, spare } = this.#targets!;
+    clear(this.#renderer, samples);
     paint();
-    this.#layers += 1;
-    this.#count += 1;
-    if (this.#layers === LAYERS) {
-      this.#addLayers();
-    }
+    this.#renderer.setRenderTarget(spare);
+    this.#add.uniforms.uCount.value = this.#side;
+    this.#add.draw(this.#renderer, sum.texture, samples.texture);
+    this.#targets = { samples, sum: spare, spare: sum };
+    this.#count += this.#side ** 2;
   }
 
   /** Returns once the GPU has drawn all of it. */
   wait(): void {
     const renderer = this.#renderer;
-    this.#addLayers();
     renderer.setRenderTarget(this.#targets!.sum);
     const gl = renderer.getContext();
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
@@ -95,7 +96,6 @@ export class SampleSum {
    */
   resolve(picture: WebGLRenderTarget, { x, y, width, height }: Region): void {
     const renderer = this.#renderer;
-    this.#addLayers();
     picture.viewport.set(x, y, width, height);
     renderer.setRenderTarget(picture);
     const { uOrigin, uCount } = this.#mean.uniforms;
@@ -117,23 +117,13 @@ export class SampleSum {
     this.#add.dispose();
     this.#mean.dispose();
   }
-
-  #addLayers(): void {
-    if (this.#layers === 0) return;
-    const { samples, sum, spare } = this.#targets!;
-    this.#renderer.setRenderTarget(spare);
-    this.#add.uniforms.uCount.value = this.#layers;
-    this.#add.draw(this.#renderer, sum.texture, samples.texture);
-    this.#targets = { samples, sum: spare, spare: sum };
-    this.#layers = 0;
-  }
 }
 
-/** Each layer of `samples` takes a sample, and `spare` the next sum. */
-const targetsOf = (width: number, height: number) => {
+/** `spare` takes the next sum. */
+const targetsOf = (width: number, height: number, side: number) => {
   const options = { ...NEAREST, type: FloatType, depthBuffer: false };
   return {
-    samples: sampleTarget(width, height),
+    samples: sampleTarget(side * width, side * height),
     sum: new WebGLRenderTarget(width, height, options),
     spare: new WebGLRenderTarget(width, height, options),
   };
@@ -145,9 +135,9 @@ const targetsOf = (width: number, height: number) => {
  * space is the materials' alone: with an internal format that decodes, texels would not be the
  * codes.
  */
-function sampleTarget(width: number, height: number): WebGLArrayRenderTarget {
+function sampleTarget(width: number, height: number): WebGLRenderTarget {
   const options = { ...NEAREST, internalFormat: 'RGBA8', colorSpace: SRGBColorSpace } as const;
-  const target = new WebGLArrayRenderTarget(width, height, LAYERS, options);
+  const target = new WebGLRenderTarget(width, height, options);
   return Object.assign(target, { isXRRenderTarget: true });
 }
 
@@ -157,8 +147,8 @@ export const pictureTarget = (width: number, height: number): WebGLRenderTarget 
 
 const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
 
-function clear(renderer: WebGLRenderer, target: WebGLRenderTarget, layer = 0): void {
-  renderer.setRenderTarget(target, layer);
+function clear(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
+  renderer.setRenderTarget(target);
   renderer.setClearColor(0x000000, 0);
   renderer.clear(true, target.depthBuffer, false);
 }

@@ -4,7 +4,6 @@ import {
   BufferAttribute,
   BufferGeometry,
   Camera,
-  type DataArrayTexture,
   GLSL3,
   Mesh,
   NoBlending,
@@ -26,12 +25,12 @@ void main() { gl_Position = vec4(position, 1.0); }`;
  * texture unit, and a program with one texture then reads whatever is bound elsewhere. For a
  * program with two it sets the unit again.
  */
-const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uLayers, ivec3(at, 0), 0);';
+const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uSamples, at, 0);';
 
 export class ScreenPass {
   readonly uniforms = {
     uPixels: { value: null as Texture | null },
-    uLayers: { value: null as DataArrayTexture | null },
+    uSamples: { value: null as Texture | null },
     /** Where the first texel is drawn, in pixels of the target. */
     uOrigin: { value: new Vector2() },
     uCount: { value: 1 },
@@ -40,7 +39,7 @@ export class ScreenPass {
   readonly #camera = new Camera();
 
   /**
-   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at
+   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uSamples` at
    * `at`.
    */
   constructor(body: string) {
@@ -58,7 +57,7 @@ export class ScreenPass {
       fragmentShader: `
 precision highp float;
 uniform highp sampler2D uPixels;
-uniform highp sampler2DArray uLayers;
+uniform highp sampler2D uSamples;
 uniform vec2 uOrigin;
 uniform float uCount;
 out vec4 color;
@@ -81,12 +80,12 @@ void main() {
   }
 
   /** Draws over the renderer's present viewport. */
-  draw(renderer: WebGLRenderer, pixels: Texture, layers: DataArrayTexture | null = null): void {
-    const { uPixels, uLayers } = this.uniforms;
+  draw(renderer: WebGLRenderer, pixels: Texture, samples: Texture | null = null): void {
+    const { uPixels, uSamples } = this.uniforms;
     uPixels.value = pixels;
-    uLayers.value = layers;
+    uSamples.value = samples;
     renderer.render(this.#mesh, this.#camera);
-    uPixels.value = uLayers.value = null;
+    uPixels.value = uSamples.value = null;
   }
 
   dispose(): void {

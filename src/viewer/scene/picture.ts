@@ -66,6 +66,8 @@ export class Picture {
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
+  /** The page has put objects of its own into the scene. */
+  #hasOthers = false;
   /** Frames drawn, for {@link MOTION}. */
   #frames = 0;
   /** The version of the lighting's needs whose programs are there. */
@@ -185,6 +187,16 @@ export class Picture {
     for (let i = 0; i < children.length; i++) {
       children[i]!.updateMatrixWorld(i >= own);
     }
+    this.#hasOthers = own < children.length;
+  }
+
+  /**
+   * Samples a side of a pixel that can be drawn at once, as one picture of so many times the size.
+   * Only one where something may be a number of pixels wide: lines and points of the page's own, or
+   * lines between triangles. Call after {@link updateMatrices}.
+   */
+  get samplesASide(): number {
+    return this.#hasOthers || this.lighting.packing.view?.separate === true ? 1 : 2;
   }
 
   #sort(): void {
@@ -262,7 +274,7 @@ export class Picture {
       this.#specialise();
     }
     this.#lit = this.version;
-    lighting.space.mapBias.value = mapBiasOf(frame.samples);
+    lighting.space.mapBias.value = mapBiasOf(frame.samples, this.samplesASide);
     renderer.render(scene, frame.camera);
     this.#drawCalls = renderer.info.render.calls;
   }
@@ -354,6 +366,7 @@ export class Picture {
  * texture is minified 2 to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of
  * samples; by this formula 1.7, 0.50 and 0.33 with 16, 64 and 256 (H200). −1/2, the share's side,
  * leaves 1.3 times the error with 64: a level's texels reach farther than the share. GPUs may stop
- * at −2.
+ * at −2. Where a sample is drawn as a pixel of a larger picture, its levels are finer already.
  */
-const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
+const mapBiasOf = (samples: number, side: number): number =>
+  samples === 1 ? 0 : Math.log2(side) - (2 / 3) * Math.log2(samples);

@@ -173,7 +173,7 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
       });
     };
     let drawn = 0;
-    wrap('drawElements', () => (drawn += 1)); // the shape: once for each sample
+    wrap('drawElements', () => (drawn += 1)); // the shape: once for four samples
     // Each batch ends with one.
     wrap('fenceSync', () => {
       log.push(`batch of ${String(drawn)}`);
@@ -191,7 +191,7 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
     };
     requestAnimationFrame(frame); // before the package's own
   });
-  const viewer = await mount(viewerOf(64, 'geometry="torus" pixel-ratio="1"'), {
+  const viewer = await mount(viewerOf(256, 'geometry="torus" pixel-ratio="1"'), {
     ...size,
     waitForReady: false,
   });

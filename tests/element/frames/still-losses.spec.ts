@@ -116,6 +116,10 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
       element.scene.add(mesh);
     });
     element.scene.add(new three.AmbientLight(0xffffff, 1));
+    const lines = new three.GridHelper(0.6, 6, 0x888888, 0x888888); // stay a pixel wide
+    lines.position.y = 0.75;
+    lines.rotation.x = 1.5;
+    element.scene.add(lines);
     element.requestRender();
     await element.ready;
   });
