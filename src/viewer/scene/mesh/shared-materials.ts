@@ -23,8 +23,6 @@ export class SharedMaterials {
   readonly #byMaterial = new Map<PhongMaterial, SharedMaterial>();
   readonly #unused = new Set<SharedMaterial>();
   #style: ShadingStyle = DEFAULT_STYLE;
-  /** That a key was made for last. */
-  #last: { readonly appearance: Appearance; readonly key: string } | null = null;
 
   constructor(lighting: PhongLighting) {
     this.#lighting = lighting;
@@ -59,7 +57,7 @@ export class SharedMaterials {
 
   /** A material for one more user, who gives it back by {@link release}. */
   acquire(appearance: Appearance): PhongMaterial {
-    const shared = this.#byKey.acquire(this.#keyOf(appearance), () => this.#create(appearance));
+    const shared = this.#byKey.acquire(keyOf(appearance), () => this.#create(appearance));
     this.#unused.delete(shared);
     return shared.material;
   }
@@ -69,7 +67,7 @@ export class SharedMaterials {
    * place.
    */
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
-    const key = this.#keyOf(appearance);
+    const key = keyOf(appearance);
     const shared = this.#byMaterial.get(material);
     if (shared !== undefined && this.#byKey.get(key) === shared) return material;
     if (
@@ -101,14 +99,6 @@ export class SharedMaterials {
       shared.material.dispose();
     }
     this.#unused.clear();
-  }
-
-  /** Thousands of meshes in a row look alike. */
-  #keyOf(appearance: Appearance): string {
-    if (this.#last === null || !looksAlike(appearance, this.#last.appearance)) {
-      this.#last = { appearance, key: keyOf(appearance) };
-    }
-    return this.#last.key;
   }
 
   #create(appearance: Appearance): SharedMaterial {

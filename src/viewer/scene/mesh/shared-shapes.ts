@@ -75,20 +75,6 @@ const keyOf = ({ name, segments, isLevel, cut }: ShapeKey): string =>
 /** What a shape holds, and its flat copy, before they are built. */
 export function shapeNeeds(key: ShapeKey, flat: boolean): readonly Need[] {
   const text = keyOf(key);
-  // Cuts follow the eye: each is another.
-  if (key.cut !== undefined) return newNeeds(key, text, flat);
-  const needsKey = `${text} ${String(flat)}`;
-  let needs = needsByKey.get(needsKey);
-  if (needs === undefined) {
-    needsByKey.set(needsKey, (needs = newNeeds(key, text, flat)));
-  }
-  return needs;
-}
-
-/** The same objects for thousands of equal shapes. A page has few different ones. */
-const needsByKey = new Map<string, readonly Need[]>();
-
-function newNeeds(key: ShapeKey, text: string, flat: boolean): readonly Need[] {
   const triangles = trianglesOf(key.name, key.segments);
   const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
   return flat
