@@ -77,10 +77,8 @@ describe('meshes with the same source', () => {
     await there(...meshes);
     expect([requests.length, bitmaps]).toEqual([1, 1]);
     expect(new Set(meshes.map(geometryOf)).size).toBe(1);
-    expect(new Set(meshes.map(({ mesh }) => mesh.shown.parts[0]!.appearance.look.map)).size).toBe(
-      1,
-    );
-    const [one, , other] = meshes.map(({ mesh }) => mesh.shown.parts[0]!.appearance.surface.ka);
+    expect(new Set(meshes.map(({ mesh }) => mesh.shown.parts[0]!.material.look.map)).size).toBe(1);
+    const [one, , other] = meshes.map(({ mesh }) => mesh.shown.parts[0]!.material.surface.ka);
     expect(other).toEqual([1, 2, 3]);
     expect(one).not.toEqual(other);
     expect(a.budget.used).toBe(b.budget.used);

@@ -7,14 +7,13 @@ import type { Claim, Need } from '../../../phong/model/budget.js';
 import type { Content, ContentPart } from '../../../phong/model/model.js';
 import type { MeshState } from '../../../phong/model/mesh-fields.js';
 import type { SharedMaterials } from './shared-materials.js';
-import { type Appearance, appearanceOf } from '../../../phong/model/appearance.js';
+import { appearanceOf } from '../../../phong/model/appearance.js';
 import { IDENTITY, type ShapeContent } from './shared-shapes.js';
 
 export interface Part {
   readonly mesh: Mesh;
   source: ContentPart;
   material: PhongMaterial;
-  appearance: Appearance;
 }
 
 /**
@@ -109,12 +108,11 @@ export function partsOf(
   const parts: Part[] = [];
   try {
     content.parts.forEach((source, i) => {
-      const appearance = appearanceOf(state, source);
-      const mesh = new Mesh(geometries[i], materials.acquire(appearance));
+      const mesh = new Mesh(geometries[i], materials.acquire(appearanceOf(state, source)));
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
       countFlat({ mesh, source }, 1);
-      parts.push({ mesh, material: mesh.material, appearance, source });
+      parts.push({ mesh, material: mesh.material, source });
     });
     return parts;
   } catch (error) {

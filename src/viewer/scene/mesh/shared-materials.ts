@@ -126,16 +126,6 @@ export class SharedMaterials {
   }
 }
 
-/** By identity: defaults are the same objects in all meshes. */
-export const looksAlike = (a: Appearance, b: Appearance): boolean =>
-  a.look === b.look &&
-  a.sides === b.sides &&
-  a.shading === b.shading &&
-  a.reflection === b.reflection &&
-  SURFACE_KEYS.every((key) => a.surface[key] === b.surface[key]);
-
-const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const;
-
 function keyOf({ look, sides, surface, shading, reflection }: Appearance): string {
   const { ka, kd, ks, shininess } = surface;
   return [lookKeyOf(look), sides, ...ka, ...kd, ...ks, shininess, shading, reflection].join(' ');

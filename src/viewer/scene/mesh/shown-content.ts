@@ -9,7 +9,7 @@ import type { Content, PlayedAnimation } from '../../../phong/model/model.js';
 import type { MeshState, MeshValues, ShapeValues } from '../../../phong/model/mesh-fields.js';
 import { appearanceOf } from '../../../phong/model/appearance.js';
 import { geometriesOf, type Part, partsOf, releaseParts, rootOf, setGeometries } from './parts.js';
-import { looksAlike, type SharedMaterials } from './shared-materials.js';
+import type { SharedMaterials } from './shared-materials.js';
 import {
   acquireShape,
   FIXED,
@@ -138,10 +138,10 @@ export class ShownContent {
   restyle(shading: Shading | null): void {
     for (const part of this.parts) {
       const appearance = appearanceOf(this.#state, part.source, shading);
-      if (looksAlike(appearance, part.appearance)) continue;
-      part.material = this.picture.materials.exchange(part.material, appearance);
+      const material = this.picture.materials.exchange(part.material, appearance);
+      if (material === part.material) continue;
+      part.material = material;
       part.mesh.material = part.material;
-      part.appearance = appearance;
     }
   }
 
