@@ -1,7 +1,6 @@
 // Does the first picture run only what it needs? Counts the functions of the standalone file that
 // have run when it is drawn: each is compiled when it runs first.
 
-import type { CDPSession } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
 import { usages } from './requests.js';
 
@@ -10,16 +9,19 @@ const scene = `<phong-viewer geometry="sphere" alt="A ball">
   <phong-light position="0 3 2 1" axis="0 -1 0" aperture="30" cutoff="8"></phong-light>
 </phong-viewer>`;
 
-/** Measured: 1,150 to 1,152; 1,174 with the search for authors' mistakes, which can wait. */
-const MOST = 1160;
-
 test('few functions have run when the first picture is drawn', async ({ page, site }) => {
   await page.addInitScript(() => {
-    const { drawElements } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.drawElements = function (...args) {
+    const gl = WebGL2RenderingContext.prototype;
+    const { drawElements, linkProgram } = gl;
+    gl.drawElements = function (...args) {
       drawElements.apply(this, args);
-      WebGL2RenderingContext.prototype.drawElements = drawElements;
+      gl.drawElements = drawElements;
       debugger;
+    };
+    gl.linkProgram = function (program) {
+      // The driver compiles while the frame is computed.
+      console.assert(this.getParameter(gl.ARRAY_BUFFER_BINDING) === null);
+      linkProgram.call(this, program);
     };
   });
   const session = await page.context().newCDPSession(page);
@@ -29,16 +31,12 @@ test('few functions have run when the first picture is drawn', async ({ page, si
   const drawn = new Promise((resolve) => session.once('Debugger.paused', resolve));
   const opened = page.goto(site.page(scene, usages.standalone));
   await drawn;
-  const count = await functionsRun(session);
+  const { result } = await session.send('Profiler.takePreciseCoverage');
   await session.send('Debugger.resume');
   await opened;
   await allReady(page);
-  expect(count).toBeLessThanOrEqual(MOST);
-  expect(count).toBeGreaterThan(MOST / 2);
+  const { functions } = result.find(({ url }) => url.endsWith('/phong-viewer.standalone.js'))!;
+  // From 1,060 to 1,160. Measured: 1,148; 24 more with the search for authors' mistakes, which can
+  // wait.
+  expect(functions.filter(({ ranges }) => ranges[0]!.count).length).toBeCloseTo(1110, -2);
 });
-
-async function functionsRun(session: CDPSession) {
-  const { result } = await session.send('Profiler.takePreciseCoverage');
-  const file = result.find(({ url }) => url.endsWith('/phong-viewer.standalone.js'));
-  return file!.functions.filter(({ ranges }) => ranges[0]!.count > 0).length;
-}

@@ -159,6 +159,7 @@ export class PhongMaterial extends RawShaderMaterial {
    * Whether the program of its next draw is being compiled in the background; drawing waits for it.
    */
   compiles(renderer: BeforeRender[0], camera: BeforeRender[2]): boolean {
+    this.#lighting.drawWith(renderer);
     const variant = this.#programs.general();
     if (this.#compiled.has(variant.key)) return false;
     this.#use(variant);

@@ -176,8 +176,9 @@ export class Picture {
   updateMatrices(): void {
     const { children } = this.scene;
     let own = 0;
-    for (const { shown } of this.#meshes) {
-      const { root } = shown;
+    for (const {
+      shown: { root },
+    } of this.#meshes) {
       if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
       if (children[own] !== root) {
         this.#sort();
@@ -201,8 +202,9 @@ export class Picture {
 
   #sort(): void {
     const ranks = new Map<Object3D, number>();
-    for (const { shown } of this.#meshes) {
-      const { root } = shown;
+    for (const {
+      shown: { root },
+    } of this.#meshes) {
       if (root !== null) {
         ranks.set(root, ranks.size);
       }
@@ -243,16 +245,18 @@ export class Picture {
 
   /**
    * Call after {@link needsPrograms}. Whether programs of the next drawing are being compiled in the
-   * background. Lights that no uniform array holds any more are found out later.
+   * background. Lights that no uniform array holds any more are found out later, and so is a
+   * program that only the 17th material or a later one needs: thousands of them may share one, and
+   * each takes 40 µs.
    */
   compiles(renderer: WebGLRenderer): boolean {
     const { lighting, materials, frame } = this;
-    const { version } = lighting.needs;
-    const compiling = [...materials.all].filter((one) => one.compiles(renderer, frame.camera));
-    if (compiling.length === 0) {
-      this.#needs = version;
-    }
-    return compiling.length > 0;
+    const compiling = [...materials.all]
+      .slice(0, 16)
+      .filter((one) => one.compiles(renderer, frame.camera));
+    if (compiling.length > 0) return true;
+    this.#needs = lighting.needs.version;
+    return false;
   }
 
   /** Declares what the lights need. True where {@link compiles} may be. */
@@ -315,19 +319,18 @@ export class Picture {
     // Not only what is in the scene: a content may wait for the one after it to be drawn, and
     // three.js keeps each material that it has drawn alive, and so the lighting and the viewer.
     const materials = new Set<Material>(this.materials.all);
-    const geometries = new Set([...this.meshes].flatMap((mesh) => mesh.geometries));
     this.scene.traverse((object) => {
       const { geometry, material = [] } = object as Partial<Mesh>;
-      if (geometry !== undefined) {
-        geometries.add(geometry);
-      }
+      geometry?.dispose();
       for (const one of [material].flat()) {
         materials.add(one);
       }
     });
     this.materials.sweep();
-    for (const geometry of geometries) {
-      geometry.dispose();
+    for (const { geometries } of this.meshes) {
+      for (const geometry of geometries) {
+        geometry.dispose();
+      }
     }
     for (const material of materials) {
       material.dispose();

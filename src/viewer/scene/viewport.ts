@@ -327,11 +327,19 @@ export class Viewport {
   }
 
   readonly #render = (renderer: WebGLRenderer): void => {
+    const { picture } = this;
+    if (stage.programs === 0) {
+      // The driver compiles the page's first programs while the first frame is computed. They
+      // depend on how many rows the lights have.
+      picture.lighting.updateFrame(picture.frame.shading);
+      picture.compiles(renderer);
+      stage.flush(); // else they wait in the browser's queue
+    }
     if (!this.isWhole) {
       pace.draws(renderer, this.#share);
     }
-    this.picture.make(this.whole, 1, this.#share);
-    this.picture.draw(renderer);
+    picture.make(this.whole, 1, this.#share);
+    picture.draw(renderer);
   };
 
   /**

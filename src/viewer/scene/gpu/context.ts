@@ -1,7 +1,7 @@
 // The page's one WebGL 2 context, its canvas and three.js's renderer: opened with the first
 // drawing, closed at the end.
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
-import { deviceOf, NoWebGL2Error } from '../../../phong/material/device.js';
+import { NoWebGL2Error } from '../../../phong/material/device.js';
 import { checkLinks } from '../../../phong/material/program/three-programs.js';
 import { SAFE_SIDE, type Size } from '../../../phong/math/region.js';
 import type { AtlasLimit } from './atlas.js';
@@ -135,7 +135,6 @@ export class SharedContext {
     try {
       this.#limit = { ...this.#limit, side: largestSideOf(gl) };
       this.#renderer = rendererOf(gl);
-      deviceOf(this.#renderer); // in the first frame the answer would wait for the commands before it
     } catch (error) {
       if (!this.noticeLoss()) throw error;
     }

@@ -135,9 +135,7 @@ class Pace {
   #wait(): number {
     const gl = this.#gl; // null after a loss
     const begun = performance.now();
-    if (gl !== null) {
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    }
+    gl?.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return performance.now() - begun;
   }
 
