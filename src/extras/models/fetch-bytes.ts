@@ -74,15 +74,26 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     const reader = response.body?.getReader();
     try {
       claim(total);
+      // As long as announced: joining chunks takes as much memory again, and 140 ms for 200 MB.
+      const whole = new Uint8Array(expected);
       const chunks: Uint8Array[] = [];
+      let size = 0;
       const next = () => read(url, signal, heard, reader);
       for (let chunk = await next(); chunk; chunk = await next()) {
-        chunks.push(chunk);
+        if (chunks.length === 0 && size + chunk.byteLength <= expected) {
+          whole.set(chunk, size);
+        } else {
+          chunks.push(chunk);
+        }
+        size += chunk.byteLength;
         loaded += chunk.byteLength;
         claim(loaded);
         transfer.onProgress?.(loaded, isTotalKnown && loaded <= total ? total : 0);
       }
-      const bytes = await new Slices(signal).joined(chunks);
+      // Another length may have been announced than came, or none.
+      const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
+      const pieces = [whole.subarray(0, begun), ...chunks];
+      const bytes = size === expected ? whole : await new Slices(signal).joined(pieces);
       requireContent(bytes, nameOf(url));
       return { bytes, type, from };
     } catch (error) {
