@@ -3,9 +3,10 @@
  * `<phong-control>`, `<phong-probe>` and `<phong-exercise>`. Importing it without a DOM does nothing.
  * A second copy on a page leaves the first copy's elements alone.
  */
-// First, because it must run before Lit does.
+// First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
 import './extras.js';
+import './element/page/early-requests.js';
 import type { ElementsByTag } from './element/elements.js';
 import { PhongCompare } from './element/phong-compare.js';
 import { PhongControl } from './element/phong-control.js';
@@ -14,6 +15,7 @@ import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongProbe } from './element/phong-probe.js';
 import { PhongViewer } from './element/phong-viewer.js';
+import { endEarly } from './model/request-model.js';
 
 litWasImported();
 
@@ -39,6 +41,8 @@ if (page !== undefined && page.contentType !== 'text/html') {
     }
   }
 }
+// Meshes request their models in microtasks.
+setTimeout(endEarly);
 
 export {
   PhongCompare,

@@ -35,8 +35,8 @@ const tokensBelow = (folder: string) =>
 
 const BUDGETS = {
   'src/phong': 69_660,
-  'src/viewer': 59_180,
-  'src/extras/models': 65_680,
+  'src/viewer': 59_635,
+  'src/extras/models': 65_766,
   'src/extras/overlay': 30_180,
   'src/extras/probe': 11_910,
   'src/extras/panel': 19_480,
@@ -50,7 +50,7 @@ const BUDGETS = {
   'src/extras/frameworks': 1_070,
   'src/extras/exercise': 10_000,
   'src/extras/diagnosis': 2_280,
-  tests: 493_614,
+  tests: 493_936,
 };
 
 it.each(Object.entries(BUDGETS))('%s has no more tokens than its budget', (folder, most) => {

@@ -1,5 +1,7 @@
 // Requests a model's files, and the code that reads them.
+// Imports nothing that takes long to run.
 import { FORMAT_NAMES, type FormatNames } from '../../phong/model/format-names.js';
+import { isDataUri } from '../../phong/fields/file-names.js';
 import { type ExtraCode, extraCode } from './provided-code.js';
 import type { Amounts } from '../../phong/model/budget.js';
 import type { Content } from '../../phong/model/model.js';
@@ -98,10 +100,40 @@ function requestCode({ pathname }: URL) {
   }
 }
 
-/** The request of a model's first file. */
+/** Requests that no element has taken yet, by address and credentials. */
+const early = new Map<string, { readonly request: FileRequest; readonly end: AbortController }>();
+
+const earlyKey = (url: URL, crossOrigin: CrossOrigin) =>
+  `${url.href} ${String(crossOrigin === 'use-credentials')}`;
+
+/** Requests a model's file and its code for an element that is about to be defined. */
+export function requestEarly(url: URL, crossOrigin: CrossOrigin): void {
+  const key = earlyKey(url, crossOrigin);
+  if (early.has(key) || isDataUri(url.href)) return;
+  const end = new AbortController();
+  early.set(key, { request: requestFile(url, 'follow', { signal: end.signal, crossOrigin }), end });
+  requestCode(url);
+}
+
+/** The request of a model's first file: the early one, if there is one. */
 export function requestModelFile(url: URL, options: RequestOptions): FileRequest {
   requestCode(url);
-  return requestFile(url, 'follow', options);
+  const key = earlyKey(url, options.crossOrigin);
+  const found = early.get(key);
+  if (found === undefined) return requestFile(url, 'follow', options);
+  early.delete(key);
+  const { signal } = options;
+  signal.addEventListener('abort', () => found.end.abort(signal.reason));
+  return found.request;
+}
+
+/** Ends the early requests that no element has taken. */
+export function endEarly(): void {
+  for (const { request, end } of early.values()) {
+    request.stop();
+    end.abort('unclaimed');
+  }
+  early.clear();
 }
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
