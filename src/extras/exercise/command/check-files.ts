@@ -4,6 +4,7 @@ import { readFileSync, statSync } from 'node:fs';
 import { dirname, relative, resolve, sep } from 'node:path';
 // Takes 50%.png as it is, where decodeURIComponent throws.
 import { unescape as decoded } from 'node:querystring';
+import { setTimeout as after } from 'node:timers/promises';
 import { parseArgs } from 'node:util';
 import type { Browser, Locator } from '@playwright/test';
 import type { Outcome } from '../check.js';
@@ -67,13 +68,15 @@ async function checkFiles(args: readonly string[]): Promise<number> {
       say('file,right,mistakes,share,x,y,found,exact,fault');
     }
     for (const file of files) {
-      const source = readFileSync(file, 'utf8');
-      const result = await exercise.evaluate(runInPage, source).catch(async () => {
-        // A function may take the page with it.
+      const result = await Promise.race([
+        exercise.evaluate(runInPage, readFileSync(file, 'utf8')),
+        after(60_000, NO_ANSWER, { ref: false }), // for one function, its picture included
+      ]).catch(() => NO_ANSWER);
+      if (result === NO_ANSWER) {
+        // The function may have taken the page with it.
         await exercise.page().close();
         exercise = await openExercise(browser, page, selector);
-        return NO_ANSWER;
-      });
+      }
       isWell &&= result.right;
       say(values.csv ? csvLine(file, result) : line(file, result));
     }
@@ -149,11 +152,11 @@ async function runInPage(element: Element, source: string): Promise<Result> {
 
 function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
   if (fault !== '') return `${file}: ${fault}`;
-  const where =
-    pixel &&
-    `; pixel ${pixel.x}, ${pixel.y}: ${pixel.found.join(' ')} for ${pixel.exact.join(' ')}`;
+  const where = pixel
+    ? `; pixel ${pixel.x}, ${pixel.y}: ${pixel.found.join(' ')} for ${pixel.exact.join(' ')}`
+    : '';
   const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
-  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where ?? ''}`;
+  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${where}`;
 }
 
 function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
