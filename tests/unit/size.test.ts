@@ -34,7 +34,7 @@ const tokensBelow = (folder: string) =>
     .reduce((sum, { parentPath, name }) => sum + tokensOf(`${parentPath}/${name}`), 0);
 
 const BUDGETS = {
-  'src/phong': 69_660,
+  'src/phong': 69_666,
   'src/viewer': 59_635,
   'src/extras/models': 65_766,
   'src/extras/overlay': 30_180,

@@ -57,6 +57,7 @@ export function checkLinks(renderer: WebGLRenderer): void {
   for (const program of (renderer.info.programs ?? []) as Program[]) {
     if (checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
     checked.add(program);
+    if (gl.isContextLost()) continue;
     if (gl.getProgramParameter(program.program, gl.LINK_STATUS) !== true) {
       reportLinkFailure(gl, program.program);
     } else {
