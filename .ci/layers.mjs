@@ -103,7 +103,7 @@ export const layers = {
     packages: [
       'three',
       'lit',
-      ...['fs', 'path', 'querystring', 'util'].map((name) => `node:${name}`),
+      ...['fs', 'path', 'querystring', 'timers/promises', 'util'].map((name) => `node:${name}`),
     ],
     types: ['@playwright/test'],
   },
