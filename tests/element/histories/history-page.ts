@@ -68,6 +68,8 @@ function installWalk() {
     }
   };
   const loaded = () => performance.getEntriesByType('resource').length;
+  const isWhole = (viewer: PhongViewer) =>
+    [undefined, pixelsOf(viewer)[0]].includes(seenOf(viewer)?.width);
   async function rests() {
     await Promise.all(deeds.pending.splice(0));
     for (let round = 0; round < 5; round++) {
@@ -77,8 +79,7 @@ function installWalk() {
       await allReady(); // resolves at once unless something is still being fetched
       await fewFrames(2);
       if (watch.happened.length === 0) return '';
-      const fetching = loaded() !== before || document.querySelector('[src]') !== null;
-      if (!fetching && round > 0) break;
+      if (round > 0 && loaded() === before && document.querySelector('[src]') === null) break;
     }
     return `still busy: ${watch.happened.join()}`;
   }
@@ -89,19 +90,27 @@ function installWalk() {
     deeds.bringBack();
     const late = new Promise<string>((resolve) => setTimeout(resolve, LATE, 'never ready'));
     const outcome = await Promise.race([late, rests()]);
+    // A picture that has moved gets all pixels when it stands still, which may take some frames.
+    while (!viewers().every(isWhole)) {
+      await frame();
+    }
     const failed = viewers().some(({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]'));
     return failed ? `${outcome} a notice of failure` : outcome;
   }
 
-  const numbers = ({ camera }: PhongViewer) => {
-    const { eye, target, up, theta, phi, radius } = camera;
-    return [...eye, ...target, ...up, theta, phi, radius];
-  };
-  const pixelsOf = (viewer: PhongViewer): [number, number] => {
-    const { clientWidth, clientHeight } = viewer;
-    const whole = (side: number) => Math.round(side * devicePixelRatio);
-    return [whole(clientWidth), whole(clientHeight)];
-  };
+  const numbers = ({ camera: { eye, target, up, theta, phi, radius } }: PhongViewer) => [
+    ...eye,
+    ...target,
+    ...up,
+    theta,
+    phi,
+    radius,
+  ];
+  const pixelsOf = ({ clientWidth, clientHeight }: PhongViewer) =>
+    [clientWidth, clientHeight].map((side) => Math.round(side * devicePixelRatio)) as [
+      number,
+      number,
+    ];
   const declared = (viewer: PhongViewer, html: string) => {
     const { radius, target } = viewer as unknown as Record<
       string,
@@ -109,10 +118,7 @@ function installWalk() {
     >;
     return html
       .replace(/ radius="[^"]*"/, ` radius="${String(radius)}"`)
-      .replace(
-        / target="[^"]*"/,
-        ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`,
-      );
+      .replace(/ target="[^"]*"/, ` target="${[target].flat().join(' ')}"`);
   };
   async function rest() {
     const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before `toBlob` draws
@@ -166,7 +172,7 @@ function installWalk() {
         await deeds.addOwn(viewer, where);
       }
     }
-    await Promise.all(all.map(({ viewer }) => viewer.ready));
+    await allReady();
     const began: Began[] = [];
     for (const { viewer, pixels } of all) {
       const size = pixels[0] > 0 && pixels[1] > 0 ? pixels : ([40, 30] as const);
