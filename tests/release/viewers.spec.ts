@@ -14,7 +14,7 @@ import {
   reddening,
   scrollThrough,
 } from '../element/page/many-viewers.js';
-import { nextFrame, type PhongViewer, statsOf } from '../element/support/viewer.js';
+import { type PhongViewer, statsOf } from '../element/support/viewer.js';
 
 const small = { width: 60, height: 40, css: 'phong-viewer { float: left }' };
 
@@ -75,7 +75,7 @@ test('@release a thousand viewers come and go and leave nothing behind', async (
   for (let round = 0; round < 16; round++) {
     await comeAndGo(page, kinds, 50);
   }
-  await nextFrame(page);
+  await page.waitForTimeout(2000); // levels of round shapes stay for a second without a user
   const { counts, objects } = await ledger.read();
   const heap = await ledger.heap();
   expect(counts).toEqual(before.counts);
