@@ -176,9 +176,8 @@ export class Picture {
   updateMatrices(): void {
     const { children } = this.scene;
     let own = 0;
-    for (const {
-      shown: { root },
-    } of this.#meshes) {
+    for (const { shown } of this.#meshes) {
+      const { root } = shown;
       if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
       if (children[own] !== root) {
         this.#sort();
@@ -202,9 +201,8 @@ export class Picture {
 
   #sort(): void {
     const ranks = new Map<Object3D, number>();
-    for (const {
-      shown: { root },
-    } of this.#meshes) {
+    for (const { shown } of this.#meshes) {
+      const { root } = shown;
       if (root !== null) {
         ranks.set(root, ranks.size);
       }

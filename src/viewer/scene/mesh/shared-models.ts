@@ -49,10 +49,8 @@ function keyOf({ url, src, type, crossOrigin }: ModelName): string {
   return `${String(number)} ${type} ${String(crossOrigin)}`;
 }
 
-/** Textures keep it: made in a constructor it would keep that one's model. */
-const flush = (): void => {
-  stage.flush();
-};
+/** A function of the module: textures keep it, and one of the model would keep the model. */
+const flush = () => stage.flush();
 
 class SharedModel {
   readonly #loading = new AbortController();

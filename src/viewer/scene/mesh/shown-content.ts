@@ -140,8 +140,7 @@ export class ShownContent {
       const appearance = appearanceOf(this.#state, part.source, shading);
       const material = this.picture.materials.exchange(part.material, appearance);
       if (material === part.material) continue;
-      part.material = material;
-      part.mesh.material = part.material;
+      part.material = part.mesh.material = material;
     }
   }
 
