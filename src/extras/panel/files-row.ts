@@ -6,7 +6,6 @@ import {
   historyOf,
   modelCode,
   type PhongViewer,
-  RESULT_MS,
   type ViewerText,
 } from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
@@ -14,8 +13,8 @@ import { label } from './label.js';
 
 const LABEL = 'copy HTML';
 
-/** Adds the row. `update` is called when the viewer's values have changed. */
-export function addFiles(gui: GUI, viewer: PhongViewer) {
+/** Adds the row. The returned function is called when the viewer's values have changed. */
+export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
     chooseModel(viewer, (file) => historyOf(viewer).edit(viewer, () => (viewer.src = file), file)),
@@ -23,16 +22,14 @@ export function addFiles(gui: GUI, viewer: PhongViewer) {
   row.add('save PNG', () => {
     savePicture(viewer).catch(warnOf);
   });
-  const stop = addCopyButton(row, () => viewer.toHTML());
-  return { stop, update: () => (open.hidden = !viewer.droppable) };
+  addCopyButton(row, () => viewer.toHTML());
+  return () => void (open.hidden = !viewer.droppable);
 }
 
 const warnOf = (error: unknown): void => console.warn(`<phong-viewer gui>: ${String(error)}`);
 
-/** Copies the markup, or shows it below the row. The returned function stops its timer. */
-function addCopyButton(row: ButtonRow, markup: () => string): () => void {
-  const button = row.add(LABEL, () => void copy());
-  button.setAttribute('aria-live', 'polite');
+/** Copies the markup, or shows it below the row. */
+function addCopyButton(row: ButtonRow, markup: () => string): void {
   const text = document.createElement('textarea');
   Object.assign(text, { readOnly: true, hidden: true, className: 'markup', rows: 6 });
   // As in lil-gui's own fields: keys typed here must not reach the camera.
@@ -40,16 +37,8 @@ function addCopyButton(row: ButtonRow, markup: () => string): () => void {
   row.domElement.after(text);
   label(text, (say) => text.setAttribute('aria-label', say("The scene's HTML")));
   const show = (what: ViewerText): void => label(button, (say) => (button.textContent = say(what)));
-  let timer = 0;
-  const stop = (): void => clearTimeout(timer);
-  const copy = async (): Promise<void> => {
-    const result = await copyText(markup(), text);
-    stop();
-    if (!text.isConnected) return;
-    show(result);
-    timer = window.setTimeout(show, RESULT_MS, LABEL);
-  };
-  return stop;
+  const button = row.add(LABEL, () => void copyText(markup(), text, LABEL, show));
+  button.setAttribute('aria-live', 'polite');
 }
 
 /**

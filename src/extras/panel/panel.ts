@@ -127,8 +127,7 @@ function addFolders(
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
   const surface = folderOf('Material');
   const meshes = new ChildFolders(gui, 'Meshes', viewer, range, MESHES);
-  const files = addFiles(gui, viewer);
-  stops.push(files.stop);
+  const updateFiles = addFiles(gui, viewer);
   const groups = {
     lights: lights.group,
     camera: camera.gui,
@@ -159,7 +158,7 @@ function addFolders(
         show.update();
       }
       if (change !== 'viewer') return;
-      files.update();
+      updateFiles();
       shading.update();
       surface.gui.show(viewer.geometry !== null || viewer.src !== '');
       surface.update();

@@ -7,6 +7,7 @@ import {
   type PhongLight,
   type PhongMesh,
   type PhongViewer,
+  type Subject,
   type ViewerText,
 } from '../../viewer/extra.js';
 import type { Vec3 } from '../../phong/math/vector.js';
@@ -40,9 +41,6 @@ export interface RowContext<E> {
   /** The only component of vectors that is shown, by slider and field. */
   readonly axis?: Axis | null;
 }
-
-/** What an edit changes. */
-type Subject = Exclude<Parameters<ReturnType<typeof historyOf>['edit']>[0], readonly unknown[]>;
 
 /** Where the value of a row is kept. */
 export interface Source {

@@ -1,17 +1,9 @@
 // Copies the equations as text and as LaTeX, or shows what could not be copied, selected.
-import {
-  copyText,
-  phrase,
-  RESULT_MS,
-  type ViewerText,
-  type ViewerTexts,
-} from '../../viewer/extra.js';
+import { copyText, phrase, type ViewerText, type ViewerTexts } from '../../viewer/extra.js';
 import { html, type TemplateResult } from 'lit';
 import { latexOf } from './math.js';
 
 export class CopyButtons {
-  /** Ends the time in which a button shows the result. */
-  stop = (): void => undefined;
   readonly #uncopied = Object.assign(document.createElement('textarea'), {
     readOnly: true,
     hidden: true,
@@ -29,19 +21,11 @@ export class CopyButtons {
   }
 
   #button(label: ViewerText, text: string, texts: ViewerTexts | null): TemplateResult {
-    const copy = async ({ currentTarget }: Event): Promise<void> => {
+    const copy = ({ currentTarget }: Event): void => {
       const button = currentTarget as HTMLButtonElement;
-      const show = (what: ViewerText) => (button.textContent = phrase(texts, what));
       this.#uncopied.ariaLabel = phrase(texts, label);
-      const result = await copyText(text, this.#uncopied);
-      this.stop();
-      if (!button.isConnected) return;
-      show(result);
-      const timer = setTimeout(() => this.stop(), RESULT_MS);
-      this.stop = () => {
-        clearTimeout(timer);
-        show(label);
-      };
+      const show = (what: ViewerText) => (button.textContent = phrase(texts, what));
+      void copyText(text, this.#uncopied, label, show);
     };
     return html`<button
       part="button"

@@ -123,7 +123,6 @@ class Probe extends ExtraElement<ProbeValues> {
   }
 
   protected override left(): void {
-    this.#copy.stop();
     this.#follow(null);
   }
 

@@ -298,9 +298,6 @@ test('a copy that has no clipboard says so, and shows the text selected', async 
   await expect(text!).toHaveText('copied ✓');
   await expect(field).toHaveCount(0);
   expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('·');
-  const button = (await text!.elementHandle())!;
-  await element.evaluate((own) => own.remove());
-  expect(await button.textContent(), 'no timer is left').toBe('Copy as text');
 });
 
 test('has the numbers of the language around it, and English words in an English part', async ({

@@ -2,21 +2,31 @@
 // without.
 import type { ViewerText } from '../fields/texts.js';
 
-/** How long the result is shown, ms. */
-export const RESULT_MS = 2000;
+/** How long a button shows the result, ms. */
+const RESULT_MS = 2000;
 
-/** Copies a text, or shows it selected in `field`. Resolves to the words that say which. */
-export async function copyText(text: string, field: HTMLTextAreaElement): Promise<ViewerText> {
+/**
+ * Copies a text, or shows it selected in `field`. `show` writes on the button which of the two it
+ * was, and after a while its label again.
+ */
+export async function copyText(
+  text: string,
+  field: HTMLTextAreaElement,
+  label: ViewerText,
+  show: (words: ViewerText) => void,
+): Promise<void> {
   field.hidden = true;
   try {
     await navigator.clipboard.writeText(text);
-    return 'copied ✓';
+    show('copied ✓');
   } catch {
     // Pages without TLS have no clipboard; a frame without the permission rejects.
     field.value = text;
     field.hidden = false;
     field.select();
     field.scrollIntoView({ block: 'nearest' });
-    return 'select and copy below';
+    show('select and copy below');
   }
+  // A second press within that time does not lengthen it.
+  setTimeout(show, RESULT_MS, label);
 }
