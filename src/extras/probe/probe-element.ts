@@ -15,12 +15,11 @@ import { clip } from '../../phong/fields/clip.js';
 import { didYouMean } from '../../phong/fields/nearest.js';
 import { isBlack } from '../../phong/math/color.js';
 import { LightState } from '../../phong/light/light-state.js';
-import { NO_SURFACE, probeSum } from '../overlay/probe/sum.js';
+import { NO_SURFACE, notesOf, probeSum } from '../overlay/probe/sum.js';
 import {
   colorTemplate,
   isGouraud,
   isHalfway,
-  noteOf,
   rowOf,
   stepsTemplate,
   SumTable,
@@ -182,7 +181,7 @@ class Probe extends ExtraElement<ProbeValues> {
       const row = rowOf(sum, this.#table.chosen);
       const content = { fragment, sum, row, halfway, gouraud, digits: this.#isWide ? 1 : 0 };
       return html`<p class="head">${colorTemplate(content, texts)}</p>
-        <p class="note" dir="auto">${noteOf(content, texts)}</p>
+        <p class="note" dir="auto">${notesOf(fragment, gouraud, texts).join(' ')}</p>
         ${this.#table.template(content, texts, Infinity)} ${stepsTemplate(content, texts)}`;
     }
     const lights = fragment.shares.map((share) =>

@@ -92,7 +92,7 @@ test('texts replaces every text of helpers, legend and probe', async ({ page, mo
   const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
   // Without numbers, the names of vectors, the cross of the button "Unpin", and the mark of what is
   // left out.
-  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^[×…]$/.test(text)).sort()).toEqual([
+  expect(left.filter((text) => !/^[-−≈\d., e+°]+$|^[NLVR]\b|^[×…]$/.test(text)).sort()).toEqual([
     'Sonne',
     'Szene',
   ]);

@@ -1,7 +1,7 @@
 // Does the probe explain the point chosen by mouse, finger, keyboard or markup, and rest otherwise?
 // Compared with shadeAt. Places are CSS pixels of the viewer, which lies at the page's top left.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { patch, type Texel } from '../../support/gltf.js';
 import { type ViewerLocator, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
@@ -402,7 +402,7 @@ test.describe('the box', () => {
     }
   });
 
-  test('lists fifty lights, all in reach, in rows that add up to the sum', async ({
+  test('lists fifty lights, all in reach, in rows that add up to the sum, or to ≈', async ({
     page,
     mount,
   }) => {
@@ -425,12 +425,11 @@ test.describe('the box', () => {
       await rows.last().locator('button').click();
     }
     expect(seen.size, 'all are in reach').toBe(50);
-    const redOf = async (row: Locator) =>
-      Number.parseFloat(await row.locator('td').last().innerText());
-    const added = await Promise.all((await rows.all()).map(redOf));
-    const red = await redOf(box(viewer).locator('tfoot tr').first());
-    const sum = added.reduce((total, value) => total + value, 0);
-    expect(Math.abs(sum - red)).toBeLessThan(added.length);
+    const sums = await rows.locator('td:last-child').allInnerTexts();
+    const sum = await box(viewer).locator('tfoot td').first().innerText();
+    const red = (text: string) => Number.parseFloat(text.replace('≈', ''));
+    const added = sums.reduce((total, text) => total + red(text), 0);
+    expect(sum.startsWith('≈'), sum).toBe(added !== red(sum));
   });
 
   test('explains Gouraud and flat shading and linear light', async ({ page, mount }) => {
@@ -448,7 +447,7 @@ test.describe('the box', () => {
       'encoded',
     ]);
     const row = box(viewer).locator('tfoot tr').last().locator('td');
-    await expect(row).toHaveText((await codes(viewer).textContent())!);
+    await expect(row).toContainText((await codes(viewer).textContent())!);
   });
 
   test('says where the picture averages a texture', async ({ mount }) => {

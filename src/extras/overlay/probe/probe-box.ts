@@ -9,11 +9,11 @@ import type { Room } from '../drawing/room.js';
 import {
   type Chosen,
   colorTemplate,
-  noteOf,
   stepsTemplate,
   type SumContent,
   SumTable,
 } from './sum-table.js';
+import { notesOf } from './sum.js';
 import { createElement } from '../drawing/dom.js';
 
 interface BoxState {
@@ -35,7 +35,7 @@ interface BoxState {
  * Width of the picture's free part from which on the box is a column, CSS pixels: half of it has room
  * for all terms.
  */
-const WIDE = 880;
+const WIDE = 900;
 
 /**
  * Pixels by which the point has to cross the middle before the box changes sides: it does not jump
@@ -152,7 +152,7 @@ export class ProbeBox {
       <p
         class="note"
         dir="auto"
-        .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}
+        .textContent=${isEmpty ? (content ?? '') : notesOf(content.fragment, content.gouraud, texts).join(' ')}
       ></p>
       ${isEmpty ? noChange : html`${this.#table.template(content, texts, lights)}${stepsTemplate(content, texts)}`}
     </div>`;

@@ -15,16 +15,14 @@ import { add } from '../../../phong/math/vector.js';
 import { ARROWS } from '../drawing/projection.js';
 import {
   byShare,
-  FILTERED,
-  GOURAUD,
   shortNumber,
   shownAbsence,
   stepsText,
   type Sum,
   type SumRow,
+  sumText,
   termText,
   tripleText,
-  UNLIT,
 } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
@@ -42,7 +40,7 @@ export const STEPS = 'probe-steps';
 export class SumTable {
   readonly #choose: () => void;
   /** The lights of the rows, in their order. */
-  #lights: readonly (PhongLight | null)[] = [];
+  #lights: readonly Chosen[] = [];
   /** Under the pointer, or with the focus. */
   #pointed: Chosen;
   /** Pressed. */
@@ -57,9 +55,7 @@ export class SumTable {
 
   /** The light whose row the user has chosen. */
   get chosen(): Chosen {
-    return [this.#pointed, this.#kept].find(
-      (light) => light !== undefined && this.#lights.includes(light),
-    );
+    return [this.#pointed, this.#kept].find((light) => this.#lights.includes(light));
   }
 
   /** Lights that have no row of their own stand in one together: `most` have one. */
@@ -73,10 +69,12 @@ export class SumTable {
     );
     const own = this.#own(sum.rows, most);
     const others = sum.rows.filter((row) => !own.has(row));
+    const together = others.length === 0 ? [] : [addedRow(others)];
+    const shares = [...own, ...together].map(({ total }) => total);
     this.#lights = sum.rows.map(({ light }) => light);
     // One Tab stop: the row shown, else the first one.
     const stop = shown !== null && own.has(shown) ? shown : sum.rows.find((row) => own.has(row));
-    const cells = (row: SumRow): readonly TemplateResult[] =>
+    const cells = (row: SumRow) =>
       columns.map(
         (column) =>
           html`<td
@@ -102,7 +100,7 @@ export class SumTable {
       <thead role="rowgroup">
         <tr role="row">
           <th role="columnheader" scope="col">${phrase(texts, 'light')}</th>
-          ${columns.map((column) => html`<th role="columnheader" scope="col" data-column=${column}>${columnTitle(column, texts)}</th>`)}
+          ${columns.map((column) => html`<th role="columnheader" scope="col" data-column=${column}>${column === '…' ? column : phrase(texts, column)}</th>`)}
         </tr>
       </thead>
       <tbody role="rowgroup">
@@ -113,23 +111,22 @@ export class SumTable {
               ${cells(row)}
             </tr>`,
         )}
-        ${
-          others.length === 0
-            ? nothing
-            : html`<tr role="row" class="others">
-                <th role="rowheader" scope="row">
-                  <button
-                    type="button"
-                    tabindex=${own.size === 0 ? 0 : -1}
-                    .textContent=${phrase(texts, '+ {number} lights', {
-                      number: localNumber(String(others.length), texts),
-                    })}
-                    @click=${() => this.#turn(most)}
-                  ></button>
-                </th>
-                ${cells(addedRow(others))}
-              </tr>`
-        }
+        ${together.map(
+          (row) =>
+            html`<tr role="row" class="others">
+              <th role="rowheader" scope="row">
+                <button
+                  type="button"
+                  tabindex=${own.size === 0 ? 0 : -1}
+                  .textContent=${phrase(texts, '+ {number} lights', {
+                    number: localNumber(String(others.length), texts),
+                  })}
+                  @click=${() => this.#turn(most)}
+                ></button>
+              </th>
+              ${cells(row)}
+            </tr>`,
+        )}
       </tbody>
       <tfoot role="rowgroup">
         ${sum.totals.map(
@@ -137,7 +134,9 @@ export class SumTable {
             html`<tr role="row">
               <th role="rowheader" scope="row">${phrase(texts, label)}</th>
               <td role="cell" colspan=${columns.length}>
-                <bdi dir="ltr">${tripleText(color, digits, texts)}</bdi>
+                <bdi dir="ltr"
+                  >${label === 'encoded' ? '≈ ' : ''}${sumText(label === 'sum' ? [...shares, sum.own] : [color], digits, texts)}</bdi
+                >
               </td>
             </tr>`,
         )}
@@ -175,7 +174,7 @@ export class SumTable {
 
   #lightAt(target: EventTarget | null): Chosen {
     const row = (target as Element | null)?.closest<HTMLTableRowElement>('tbody > tr');
-    return row === null || row === undefined ? undefined : this.#lights[row.sectionRowIndex];
+    return this.#lights[row?.sectionRowIndex ?? -1];
   }
 
   readonly #point = ({ target }: Event): void => this.#setPointed(this.#lightAt(target));
@@ -231,7 +230,13 @@ export function cellText(
   digits = 0,
 ): string {
   if (column === '…') return ''; // the style sheet writes it where one of the terms has no column
-  if (column === 'sum') return termText(row.total, digits, texts);
+  if (column === 'sum') {
+    return sumText(
+      TERMS.map((term) => row[term]),
+      digits,
+      texts,
+    );
+  }
   if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.
   return Number.isNaN(row[column])
@@ -241,9 +246,6 @@ export function cellText(
 
 export const termsOf = (row: SumRow): string =>
   TERMS.filter((term) => !isBlack(row[term])).join(' ');
-
-const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
-  column === '…' ? column : phrase(texts, column);
 
 const COLUMNS: readonly Column[] = ['…', ...TERMS, 'att', 'decay', 'sum'];
 
@@ -259,39 +261,18 @@ export interface SumContent {
   readonly digits?: number;
 }
 
-/** The steps from the vectors of the row's light to its terms. */
-export const stepsTemplate = (content: SumContent, texts: ViewerTexts | null): TemplateResult =>
-  html`<p
-    class="steps"
-    id=${STEPS}
-    dir="auto"
-    .textContent=${content.row === null ? '' : stepsOf(content, content.row, texts)}
-  ></p>`;
-
-export function noteOf(
-  { fragment, gouraud }: Pick<SumContent, 'fragment' | 'gouraud'>,
+/**
+ * The steps from the vectors of the row's light to its terms. Under Gouraud shading the row has the
+ * corners' terms, so the steps say whose they are.
+ */
+export function stepsTemplate(
+  { fragment, row, halfway, gouraud }: SumContent,
   texts: ViewerTexts | null,
-): string {
-  const notes: string[] = [];
-  if (fragment.unlit) {
-    notes.push(phrase(texts, UNLIT));
-  } else if (gouraud) {
-    notes.push(phrase(texts, GOURAUD));
-  }
-  if (fragment.filtered) {
-    notes.push(phrase(texts, FILTERED));
-  }
-  return notes.join(' ');
-}
-
-/** Under Gouraud shading the row has the corners' terms, so the steps say whose they are. */
-function stepsOf(
-  { fragment, halfway, gouraud }: SumContent,
-  row: SumRow,
-  texts: ViewerTexts | null,
-): string {
-  const steps = stepsText(texts, row, fragment, halfway);
-  return gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
+): TemplateResult {
+  const steps = row === null ? '' : stepsText(texts, row, fragment, halfway);
+  const text =
+    row !== null && gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
+  return html`<p class="steps" id=${STEPS} dir="auto" .textContent=${text}></p>`;
 }
 
 // The colour as a property: a strict CSP refuses style attributes.

@@ -5,6 +5,7 @@ import {
   type FragmentExplanation,
   localNumber,
   phrase,
+  type ViewerText,
   type ViewerTexts,
 } from '../../../viewer/extra.js';
 import { TERMS } from '../../../phong/light/light-state.js';
@@ -39,6 +40,8 @@ interface TotalRow {
 
 export interface Sum {
   readonly rows: readonly SumRow[];
+  /** Added to the rows: what the surface emits. */
+  readonly own: Vec3;
   readonly totals: readonly TotalRow[];
   /** The colour that is drawn, 0–255. */
   readonly color: Vec3;
@@ -58,12 +61,11 @@ export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
   const totals: TotalRow[] = [];
   if (unlit) {
     totals.push({ label: 'base colour', color: own });
-  } else if (own.some((x) => x > 0)) {
-    totals.push({ label: 'emissive', color: own });
-  }
-  const added = rows.reduce((total, row) => add(total, row.total), own);
-  if (!unlit) {
-    totals.push({ label: 'sum', color: added });
+  } else {
+    if (!isBlack(own)) {
+      totals.push({ label: 'emissive', color: own });
+    }
+    totals.push({ label: 'sum', color: rows.reduce((all, row) => add(all, row.total), own) });
   }
   const encoded = codes(sum);
   if (linear) {
@@ -73,7 +75,7 @@ export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
   if (shown.some((x, i) => x !== encoded[i])) {
     totals.push({ label: 'clamped', color: shown });
   }
-  return { rows, totals, color: shown };
+  return { rows, own, totals, color: shown };
 }
 
 function rowOf(share: LightExplanation, hasNormal: boolean): SumRow {
@@ -126,6 +128,14 @@ export const tripleText = (color: Vec3, digits: number, texts: ViewerTexts | nul
 export const termText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
   isBlack(color) ? localNumber('0', texts) : tripleText(color, digits, texts);
 
+/** The sum of the parts, with ≈ where their digits do not give its own. */
+export function sumText(parts: readonly Vec3[], digits: number, texts: ViewerTexts | null): string {
+  const shown = parts.map((part) => map(part, (x) => Number(shortNumber(x, digits, null))));
+  const [added, sum] = [shown.reduce(add), parts.reduce(add)];
+  const sign = tripleText(added, digits, null) === tripleText(sum, digits, null) ? '' : '≈ ';
+  return sign + termText(sum, digits, texts);
+}
+
 /** The angle whose cosine this is, in degrees. */
 export const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
 
@@ -145,13 +155,8 @@ export function fragmentText(
   const parts = [
     phrase(texts, 'Point {point}.', { point: placeText(texts, fragment) }),
     phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
+    ...notesOf(fragment, false, texts),
   ];
-  if (fragment.unlit) {
-    parts.push(phrase(texts, UNLIT));
-  }
-  if (fragment.filtered) {
-    parts.push(phrase(texts, FILTERED));
-  }
   const rows = byShare(sum.rows);
   parts.push(...rows.slice(0, NAMED).map((row) => rowText(texts, row)));
   const more = rows.length - NAMED;
@@ -163,9 +168,9 @@ export function fragmentText(
   return parts.join(' ');
 }
 
-export const UNLIT = 'Unlit: the colour is the base colour, whatever the lights.';
-export const GOURAUD = 'Gouraud: the terms are those of the triangle’s corners, interpolated.';
-export const FILTERED =
+const UNLIT = 'Unlit: the colour is the base colour, whatever the lights.';
+const GOURAUD = 'Gouraud: the terms are those of the triangle’s corners, interpolated.';
+const FILTERED =
   'The picture averages the texture here; these numbers read it at one point, so they can differ.';
 export const HIDDEN = 'Another surface hides the point.';
 export const OUTSIDE = 'The point is outside the picture.';
@@ -174,6 +179,24 @@ export const KEYS =
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export const NO_SURFACE = 'No surface there.';
+
+/** What is special about the colour. */
+export function notesOf(
+  { unlit, filtered }: FragmentExplanation,
+  gouraud: boolean,
+  texts: ViewerTexts | null,
+): string[] {
+  const notes: ViewerText[] = [];
+  if (unlit) {
+    notes.push(UNLIT);
+  } else if (gouraud) {
+    notes.push(GOURAUD);
+  }
+  if (filtered) {
+    notes.push(FILTERED);
+  }
+  return notes.map((note) => phrase(texts, note));
+}
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
   const terms = TERMS.map((term) => [term, tripleText(row[term], 0, texts)] as const);
@@ -204,22 +227,16 @@ export function stepsText(
       angle: degreesText(c, decimals(0, isOutside), texts),
     });
   }
-  if (absence === 'no direction') {
-    return phrase(texts, '{name}: no direction, so only ambient.', { name });
-  }
-  if (absence === 'no normal') {
-    return phrase(texts, '{name}: no normal here, so only ambient.', { name });
-  }
   const normal = { name, ...normalWords(texts, row) };
-  if (absence !== null) {
-    return phrase(
-      texts,
-      '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.',
-      normal,
-    );
-  }
+  if (absence !== null) return phrase(texts, ONLY_AMBIENT[absence], normal);
   return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, row.RoV, shininess, halfway)}`;
 }
+
+const ONLY_AMBIENT = {
+  'no direction': '{name}: no direction, so only ambient.',
+  'no normal': '{name}: no normal here, so only ambient.',
+  'behind the surface': '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.',
+} as const;
 
 function lobeText(
   texts: ViewerTexts | null,
