@@ -1,5 +1,5 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
-import { type BufferGeometry, type Mesh, type Object3D, type Sphere } from 'three';
+import { type BufferGeometry, type Mesh, type Object3D, Sphere } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import type { MutableVec3 } from '../camera/orbit.js';
 import { transformed, type Vec3 } from '../math/vector.js';
@@ -84,46 +84,29 @@ export function radiusOf(root: Object3D, point: Vec3): number {
   return radius;
 }
 
-export interface Ball {
-  x: number;
-  y: number;
-  z: number;
-  radius: number;
-}
-
-export const newBall = (): Ball => ({ x: 0, y: 0, z: 0, radius: 0 });
-
 /** Used within one call of {@link radiusOf}. */
-const ball = newBall();
+const ball = /* @__PURE__ */ new Sphere();
 
 /**
  * Writes a sphere that holds an object's own vertices, where they are now. False where it has none.
  */
-export function boundsOf(object: Object3D, into: Ball): boolean {
+export function boundsOf(object: Object3D, into: Sphere): boolean {
   const { geometry, boundingSphere } = object as Partial<Mesh> & { boundingSphere?: Sphere | null };
   // Instanced, skinned and batched meshes know where their parts are.
-  if (boundingSphere !== undefined) return writeBall(into, boundingSphere ?? ownSphere(object));
+  if (boundingSphere !== undefined) return isFilled(into.copy(boundingSphere ?? ownSphere(object)));
   if (geometry === undefined) return false;
   const moving = movingBounds(geometry);
-  if (moving !== null) return writeBall(into, moving);
+  if (moving !== null) return isFilled(into.copy(moving));
   const size = measuredOf(geometry);
   if (size === null) return false;
   const { center, radius } = size;
-  into.x = center[0];
-  into.y = center[1];
-  into.z = center[2];
+  into.center.set(center[0], center[1], center[2]);
   into.radius = radius;
   return true;
 }
 
-/** False for an empty sphere. */
-export function writeBall(into: Ball, { center, radius }: Sphere): boolean {
-  into.x = center.x;
-  into.y = center.y;
-  into.z = center.z;
-  into.radius = radius;
-  return radius >= 0;
-}
+/** Not so where there is no vertex, or only NaN. */
+const isFilled = ({ radius }: Sphere): boolean => radius >= 0;
 
 /**
  * The vertices of what is below `root` may have changed: reads them again when they are next
@@ -262,7 +245,8 @@ export function stretch(m: readonly number[]): number {
   return Math.sqrt(Math.max(along(0, 0) + xy + xz, along(4, 4) + xy + yz, along(8, 8) + xz + yz));
 }
 
-function reachOf(m: readonly number[], { x, y, z, radius }: Ball, point: Vec3): number {
+function reachOf(m: readonly number[], { center, radius }: Sphere, point: Vec3): number {
+  const { x, y, z } = center;
   // For every object in every frame: no list for the place.
   const dx = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! - point[0];
   const dy = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! - point[1];

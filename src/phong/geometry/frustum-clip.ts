@@ -1,9 +1,10 @@
 // Clips triangles by the four sides of a view frustum. Clip coordinates are x, y and w: w is the
 // depth along the view, and a point is in view where neither |x| nor |y| exceeds it. Float64,
 // relative to the eye.
+import type { Sphere } from 'three';
 import type { ShadingFrame } from '../material/shading-space.js';
 import type { Vec3 } from '../math/vector.js';
-import { type Ball, stretch } from './bounds.js';
+import { stretch } from './bounds.js';
 import type { Position } from './triangle-bvh.js';
 
 /** What is in view: its sides have slopes ±`slopeX` and ±`slopeY` from its axis. */
@@ -71,7 +72,7 @@ export const depthOf = (m: ClipRows, x: number, y: number, z: number): number =>
 export function sphereDepth(
   { frame, slopeX, slopeY }: Frustum,
   m: readonly number[],
-  { x, y, z, radius }: Ball,
+  { center: { x, y, z }, radius }: Sphere,
   before: number,
 ): number {
   const { origin, eye, right, up, back } = frame;

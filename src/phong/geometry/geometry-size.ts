@@ -130,8 +130,7 @@ function* measured(geometry: BufferGeometry): Steps<GeometrySize | null> {
   }
   // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
   if (isStill && geometry.morphAttributes['position'] === undefined) {
-    const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
-    geometry.boundingBox ??= new Box3(new Vector3(minX, minY, minZ), new Vector3(maxX, maxY, maxZ));
+    geometry.boundingBox ??= new Box3().setFromArray(found.box);
     geometry.boundingSphere ??= new Sphere(new Vector3(...found.center), found.radius);
   }
   return found;

@@ -10,10 +10,11 @@ import {
   Matrix4,
   type Mesh,
   type Object3D,
+  Sphere,
 } from 'three';
 import { PhongMaterial } from '../../phong/material/phong-material.js';
 import { hasMovingVertices } from '../../phong/geometry/geometry-size.js';
-import { boundsOf, newBall, writeBall } from '../../phong/geometry/bounds.js';
+import { boundsOf } from '../../phong/geometry/bounds.js';
 import {
   depthOf,
   sphereDepth,
@@ -80,7 +81,8 @@ class NearestSearch implements InViewQuery {
     writeModelViewProjection(this.view, elements, this.matrix);
     const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
     if (isSprite === true) {
-      this.#consider(depthOf(this.matrix, ball.x, ball.y, ball.z)); // it faces the eye
+      const { x, y, z } = ball.center;
+      this.#consider(depthOf(this.matrix, x, y, z)); // it faces the eye
     } else if (!hasKnownVertices(object)) {
       this.#consider(Math.max(least, unknownDepth(this.view)));
     } else if (isInstancedMesh === true) {
@@ -95,7 +97,7 @@ class NearestSearch implements InViewQuery {
     if (geometry.boundingSphere === null) {
       geometry.computeBoundingSphere();
     }
-    writeBall(ball, geometry.boundingSphere!);
+    ball.copy(geometry.boundingSphere!);
     for (let i = 0; i < count; i++) {
       const { elements } = instance
         .fromArray(instanceMatrix.array, 16 * i)
@@ -156,7 +158,7 @@ class NearestSearch implements InViewQuery {
 }
 
 /** Used within one call: nothing is allocated in a frame. */
-const ball = newBall();
+const ball = /* @__PURE__ */ new Sphere();
 const instance = /* @__PURE__ */ new Matrix4();
 const search = /* @__PURE__ */ new NearestSearch();
 
