@@ -34,8 +34,8 @@ const tokensBelow = (folder: string) =>
     .reduce((sum, { parentPath, name }) => sum + tokensOf(`${parentPath}/${name}`), 0);
 
 const BUDGETS = {
-  'src/phong': 69_666,
-  'src/viewer': 59_665,
+  'src/phong': 69_687,
+  'src/viewer': 59_696,
   'src/extras/models': 65_766,
   'src/extras/overlay': 30_180,
   'src/extras/probe': 11_830,

@@ -13,19 +13,27 @@ export interface Extent {
   readonly bounds: Bounds | null;
   /** Distance of the farthest vertex from a point. */
   radiusAbout(point: Vec3): number;
+  /**
+   * Measures again what is below `object`, whose world matrices have changed. One of 10,000 meshes
+   * takes a quarter of the time of all.
+   */
+  moved(object: Object3D): void;
 }
 
-const NO_EXTENT: Extent = { bounds: null, radiusAbout: () => 0 };
-
+/** A mesh, and the sphere in world space that holds it. */
 interface Placed {
-  readonly size: GeometrySize;
+  size: GeometrySize;
   readonly matrix: readonly number[];
+  x: number;
+  y: number;
+  z: number;
+  radius: number;
 }
 
-const sphereOf = ({ size: { center, radius }, matrix }: Placed): Bounds => ({
-  center: transformed(matrix, ...center),
-  radius: radius * stretch(matrix),
-});
+const PLACED = /* @__PURE__ */ Symbol('placed');
+
+/** Kept at the mesh: a map takes 2 ms to fill with 10,000. */
+type PlacedMesh = Object3D & { [PLACED]?: Placed };
 
 const AXES = [0, 1, 2] as const;
 
@@ -37,34 +45,53 @@ const SAME = 1e-9;
 /** Measures every visible mesh below `root`. World matrices must be up to date. */
 export function measure(root: Object3D): Extent {
   const meshes = placedMeshes(root);
-  if (meshes.length === 0) return NO_EXTENT;
+  let bounds: Bounds | null = null;
+  return {
+    get bounds() {
+      return (bounds ??= boundsAround(meshes));
+    },
+    radiusAbout: (point) => farthestFrom(point, meshes),
+    moved(object) {
+      bounds = null;
+      placedMeshes(object);
+    },
+  };
+}
+
+function boundsAround(meshes: readonly Placed[]): Bounds | null {
+  if (meshes.length === 0) return null;
   const low: MutableVec3 = [Infinity, Infinity, Infinity];
   const high: MutableVec3 = [-Infinity, -Infinity, -Infinity];
-  const isInside = ({ center, radius }: Bounds): boolean => {
+  // Plain steps, here and below: lists for three numbers took twice the time for 10,000 meshes.
+  const isInside = ({ x, y, z, radius }: Placed): boolean => {
     const r = (1 - SAME) * radius;
-    for (const i of AXES) {
-      if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
-    }
-    return true;
+    return (
+      x - r >= low[0] &&
+      y - r >= low[1] &&
+      z - r >= low[2] &&
+      x + r <= high[0] &&
+      y + r <= high[1] &&
+      z + r <= high[2]
+    );
   };
   // Boxes first: then most turned meshes are found to lie inside by their spheres.
-  for (const { size, matrix } of meshes) {
-    if (!isTurned(matrix)) {
-      extend(low, high, size.box, matrix);
+  const turned: Placed[] = [];
+  for (const mesh of meshes) {
+    if (isInside(mesh)) continue;
+    if (isTurned(mesh.matrix)) {
+      turned.push(mesh);
+    } else {
+      extend(low, high, mesh.size.box, mesh.matrix);
     }
   }
-  for (const mesh of meshes) {
-    if (isTurned(mesh.matrix) && !isInside(sphereOf(mesh))) {
+  for (const mesh of turned) {
+    if (!isInside(mesh)) {
       extend(low, high, mesh.size.vertices(), mesh.matrix);
     }
   }
   const middle = (i: 0 | 1 | 2) => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
-  const radius = farthestFrom(center, meshes);
-  return {
-    bounds: { center, radius },
-    radiusAbout: (point) => farthestFrom(point, meshes),
-  };
+  return { center, radius: farthestFrom(center, meshes) };
 }
 
 /**
@@ -131,14 +158,20 @@ export function forgetBounds(root: Object3D): void {
   });
 }
 
-function placedMeshes(object: Object3D, placed: Placed[] = []): Placed[] {
+/** Writes where the meshes below `object` are now. */
+function placedMeshes(object: PlacedMesh, placed: Placed[] = []): Placed[] {
   if (!object.visible) return placed;
   // By its mark, not its class: another copy of three.js may have made it.
   const { isMesh, geometry } = object as Partial<Mesh>;
   const reach = reaches.get(object);
   const size = reach ?? (isMesh === true && geometry !== undefined ? measuredOf(geometry) : null);
   if (size !== null) {
-    placed.push({ size, matrix: object.matrixWorld.elements });
+    const { elements: matrix } = object.matrixWorld;
+    const mesh = (object[PLACED] ??= { x: 0, y: 0, z: 0, radius: 0, size, matrix });
+    mesh.size = size;
+    [mesh.x, mesh.y, mesh.z] = transformed(matrix, ...size.center);
+    mesh.radius = size.radius * stretch(matrix);
+    placed.push(mesh);
   }
   if (reach === undefined) {
     for (const child of object.children) {
@@ -180,28 +213,26 @@ function extend(
   m: readonly number[],
 ) {
   for (const axis of AXES) {
-    const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
-    let [least, most] = [low[axis], high[axis]];
+    const a = m[axis]!;
+    const b = m[axis + 4]!;
+    const c = m[axis + 8]!;
+    const d = m[axis + 12]!;
     for (let i = 0; i < places.length; i += 3) {
       const at = a * places[i]! + b * places[i + 1]! + c * places[i + 2]! + d;
-      if (at < least) {
-        least = at;
+      if (at < low[axis]) {
+        low[axis] = at;
       }
-      if (at > most) {
-        most = at;
+      if (at > high[axis]) {
+        high[axis] = at;
       }
     }
-    low[axis] = least;
-    high[axis] = most;
   }
 }
 
 function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   let farthest = 0;
-  for (const mesh of meshes) {
-    const { size, matrix } = mesh;
-    const { center, radius } = sphereOf(mesh);
-    const away = distance(point, ...center);
+  for (const { size, matrix, x, y, z, radius } of meshes) {
+    const away = distance(point, x, y, z);
     const reach = away + radius;
     if (reach <= farthest * (1 + SAME)) continue;
     if (away <= SAME * radius && isEvenlyScaled(matrix)) {
@@ -226,8 +257,10 @@ const isEvenlyScaled = (m: readonly number[]) =>
   !isTurned(m) && Math.abs(m[0]!) === Math.abs(m[5]!) && Math.abs(m[5]!) === Math.abs(m[10]!);
 
 /** Coordinates are below 1e30, so that their squares are finite. */
-function distance([px, py, pz]: Vec3, x: number, y: number, z: number): number {
-  const [dx, dy, dz] = [x - px, y - py, z - pz];
+function distance(point: Vec3, x: number, y: number, z: number): number {
+  const dx = x - point[0];
+  const dy = y - point[1];
+  const dz = z - point[2];
   return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
 

@@ -1,6 +1,6 @@
 // Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each
 // frame how deep it is.
-import type { Scene } from 'three';
+import type { Object3D, Scene } from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import { type Fit, fitTo, type Framing } from '../../phong/geometry/framing.js';
 import type { Orbit } from '../../phong/camera/orbit.js';
@@ -71,9 +71,14 @@ export class AutoFit {
     this.#refit();
   }
 
-  /** Meshes were added, removed or moved, or their vertices changed. */
-  reshaped(): void {
-    this.#measured = null;
+  /** Meshes were added or removed, or their vertices changed; `moved`: this one was only moved. */
+  reshaped(moved?: Object3D): void {
+    if (moved === undefined) {
+      this.#measured = null;
+    } else {
+      moved.updateWorldMatrix(true, true);
+      this.#measured?.moved(moved);
+    }
     this.#refit();
   }
 
@@ -104,7 +109,6 @@ export class AutoFit {
 
   /** Measures and fits where something has changed. True if the orbit moved. */
   settle(): boolean {
-    this.measure();
     if (this.#fitted !== null || this.#framing === null) return false;
     this.#fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing);
     const { radius } = this.#framing;

@@ -103,10 +103,13 @@ export class Picture {
     this.#changed();
   }
 
-  /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
-  reshaped(): void {
+  /**
+   * Meshes were added or removed, or show another geometry; `moved`: this one was only moved. `auto`
+   * is fitted again.
+   */
+  reshaped(moved?: Object3D): void {
     this.levels.changed();
-    this.fit.reshaped();
+    this.fit.reshaped(moved);
   }
 
   /** Measures the whole scene again, vertices included, and fits `auto` to it. */

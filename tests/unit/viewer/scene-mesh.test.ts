@@ -133,6 +133,19 @@ describe('a mesh', () => {
   });
 });
 
+it('is measured alone when it moves', () => {
+  const host = meshHost();
+  const { picture } = host;
+  const still = meshOf(host, picture.scene, { geometry: 'box' });
+  const moving = meshOf(host, picture.scene, { geometry: 'box' });
+  picture.measure();
+  const visits = vi.fn();
+  Object.defineProperty(still.mesh.shown.root, 'visible', { get: visits });
+  moving.set({ position: [4, 0, 0] });
+  expect(picture.measure()!.center[0]).toBe(2);
+  expect(visits).not.toHaveBeenCalled();
+});
+
 it('draws meshes in document order, whenever added or changed, and own objects last, but none that is removed', () => {
   const host = meshHost();
   const { picture } = host;

@@ -25,8 +25,8 @@ import type { GeometryName } from '../../../phong/model/shapes/shapes.js';
 export interface ContentPicture {
   readonly materials: SharedMaterials;
   readonly style: ShadingStyle;
-  /** Meshes were moved, or show another geometry. */
-  reshaped(): void;
+  /** Meshes show another geometry; `moved`: this one was only moved. */
+  reshaped(moved?: Object3D): void;
 }
 
 const ZERO: Vec3 = [0, 0, 0];
@@ -159,7 +159,7 @@ export class ShownContent {
     root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
     root.scale.set(...scale);
     root.updateMatrix();
-    this.picture.reshaped();
+    this.picture.reshaped(root);
   }
 
   /** Call after the next one is there: equal looks keep their material, and so their program. */
