@@ -19,7 +19,7 @@ Measures the built package in Chromium and writes tests/bench/results/STACK.json
   --browser PATH      another Chromium
   --arg=FLAG          a flag of its own, such as --arg=--use-angle=vulkan; may be given again
                       (default: software rendering)
-  --stack NAME        name of the result (default software), such as h100-vulkan
+  --stack NAME        name of the result (default software), such as h200-vulkan
   --size WxH          pixels of a picture (default: 480x360 in software, 1920x1080 on a GPU;
                       whole pictures, whose error is measured: 400x300)
   --out FILE          result file
