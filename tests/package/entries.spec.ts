@@ -67,7 +67,7 @@ test.describe('the packed package', () => {
 
   test('is not larger than measured', () => {
     packedFiles();
-    expect(packedBytes).toBeLessThan(1_700_000); // measured 1,699,711, of which 0.25 MB unpack KTX2
+    expect(packedBytes).toBeLessThan(1_700_000); // measured 1,694,600, of which 0.25 MB unpack KTX2
   });
 
   test('holds each decoder once', () => {
