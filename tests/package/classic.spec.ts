@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { readmePage } from '../../.ci/readme-picture.mjs';
 import { field } from '../extras/panel/panel-rows.js';
 import { allReady, expect, pixelAt, pixels, same, test } from '../support/test.js';
 import { requestsOf } from '../support/requests.js';
@@ -131,6 +132,15 @@ test('the classic script imports nothing and is ASCII after its notice', () => {
   const code = text.slice(text.indexOf('*/'));
   expect(code).not.toMatch(/\bimport\s*\(|import\.meta|^\s*(import|export)\b/m);
   expect(/[\u0080-\uffff]/.exec(code)?.[0]).toBeUndefined();
+});
+
+test.describe('on a phone', () => {
+  test.use({ isMobile: true, viewport: { width: 390, height: 844 } });
+
+  test("the README's page is as wide as the screen", async ({ page }) => {
+    await page.goto(handout(readmePage()));
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  });
 });
 
 // All code is there before the first picture, so the panel is built before `auto` has found a

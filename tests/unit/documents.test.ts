@@ -2,7 +2,7 @@
 // repository, in the package and on the site, and they stay short.
 
 import { execFileSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { guide } from '../../.ci/site/contents.js';
@@ -11,32 +11,27 @@ import { anchorOf } from '../../.ci/site/markdown.js';
 import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
 import { layoutDefines } from '../../src/phong/light/light-layout.js';
 import { VIEWS } from '../../src/phong/material/views.js';
-import { repository } from '../support/repository.mjs';
+
+/** Files of the repository, new ones included. */
+function filesOf(...patterns: readonly string[]) {
+  const options = ['--cached', '--others', '--exclude-standard', ...patterns];
+  const paths = execFileSync('git', ['ls-files', ...options], { encoding: 'utf8' });
+  return paths.split('\n').filter((path) => existsSync(path));
+}
 
 /** Every page of the repository. */
-const documents = execFileSync(
-  'git',
-  ['ls-files', '--cached', '--others', '--exclude-standard', '*.md'],
-  {
-    cwd: repository,
-    encoding: 'utf8',
-  },
-)
-  .split('\n')
-  .filter((path) => path !== '' && existsSync(join(repository, path)));
+const documents = filesOf('*.md');
 /** What the package's users read. */
 const forUsers = documents.filter((path) => /^(README|CHANGELOG|demo\/guide\/.*)\.md$/.test(path));
 const decisions = documents.filter((path) => path.startsWith('src/decisions/'));
 
-const read = (path: string) => readFileSync(join(repository, path), 'utf8');
+const read = (path: string) => readFileSync(path, 'utf8');
 
 const anchorsOf = (path: string) =>
   Array.from(read(path).matchAll(/^#+ (.+)$/gm), ([, heading = '']) => anchorOf(heading));
 
 /** Links of a page to files of the repository and to headings in them. */
-const linksOf = (
-  path: string,
-): readonly { readonly file: string; readonly anchor: string | undefined }[] =>
+const linksOf = (path: string) =>
   Array.from(
     read(path)
       .replaceAll(/^```[^]*?^```/gm, '')
@@ -50,10 +45,9 @@ const linksOf = (
     });
 
 function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]) {
-  const place = join(repository, file);
-  if (!existsSync(place)) return true;
+  if (!existsSync(file)) return true;
   return (
-    anchor !== undefined && (statSync(place).isDirectory() || !anchorsOf(file).includes(anchor))
+    anchor !== undefined && (statSync(file).isDirectory() || !anchorsOf(file).includes(anchor))
   );
 }
 
@@ -71,7 +65,7 @@ describe('the documents', () => {
     const named = codeIn(read(path).replaceAll(/^```[^]*?^```/gm, ''))
       .filter((text) => /^[\w.-]*[\w-](\/[\w.-]+)*(\/|\.(ts|mjs|js|css|json|glsl))$/.test(text))
       .filter((text) => !/^(dist|site)\//.test(text));
-    const from = [dirname(path), 'src', '.'].map((folder) => join(repository, folder));
+    const from = [dirname(path), 'src', '.'];
     expect(named.filter((name) => !from.some((at) => existsSync(join(at, name))))).toEqual([]);
   });
 
@@ -96,12 +90,11 @@ describe('the documents', () => {
   });
 
   it('are short: 15,000 words for users, 900 of them in the README', () => {
-    const words = (path: string) => read(path).trim().split(/\s+/).length;
-    const sum = [...forUsers].map(words).reduce((total, count) => total + count);
+    const words = (...paths: readonly string[]) => paths.map(read).join('').match(/\S+/g)?.length;
     expect(words('README.md')).toBeLessThanOrEqual(950);
     expect(words('CHANGELOG.md')).toBeLessThanOrEqual(420);
     expect(words('src/README.md')).toBeLessThanOrEqual(2150);
-    expect(sum).toBeLessThanOrEqual(15_000);
+    expect(words(...forUsers)).toBeLessThanOrEqual(15_000);
   });
 
   it('for users are pages of the guide, each once in its contents', () => {
@@ -123,6 +116,10 @@ describe('the documents', () => {
     expect(linksOf(path).filter(({ file }) => !isShipped(file))).toEqual([]);
   });
 
+  it.each(forUsers)('%s has no page that a phone would show as wide as a desk', (path) => {
+    expect(read(path)).not.toMatch(/^<!doctype html>\n(?:(?!name="viewport")[^])*?^<\/html>/m);
+  });
+
   it.each(guide)('$path links to pages and places of the site', ({ path }) => {
     const hrefs = Array.from(
       guidePage(markdownOf(path)!, '').html.matchAll(/<a href="([^"]+)"/g),
@@ -140,13 +137,11 @@ describe('the documents', () => {
   });
 
   it('of the shaders names only files, functions and defines that exist', () => {
-    const glsl = execFileSync('git', ['ls-files', 'shaders/*.glsl'], { encoding: 'utf8' });
-    const sources = glsl.trim().split('\n');
-    const places = ['src/phong/material/program', 'src/phong/light', 'src/phong/math'];
-    const typescript = places.flatMap((folder) =>
-      readdirSync(join(repository, folder))
-        .filter((name) => name.endsWith('.ts'))
-        .map((name) => `${folder}/${name}`),
+    const sources = filesOf('shaders/*.glsl');
+    const typescript = filesOf(
+      'src/phong/material/program/*.ts',
+      'src/phong/light/*.ts',
+      'src/phong/math/*.ts',
     );
     const text = [
       ...sources,
@@ -159,7 +154,7 @@ describe('the documents', () => {
       code.replace(/\(.*\)/, ''),
     );
     const unknown = named
-      .filter((code) => !existsSync(join(repository, code)))
+      .filter((code) => !existsSync(code))
       .flatMap((code) => code.match(/\w{2,}(?!\w*…)/g) ?? [])
       .filter((word) => !words.has(word));
     expect(unknown).toEqual([]);

@@ -49,7 +49,7 @@ test.describe('at the scale of the picture', () => {
     page,
     mount,
   }) => {
-    const size = /style="width: (\d+)px; height: (\d+)px"/.exec(readmeSnippet());
+    const size = /(\d+)px, 100%\); height: (\d+)px/.exec(readmeSnippet());
     // Sixteen samples are enough to tell, and take a quarter of the time.
     const markup = readmeSnippet().replace(' antialias="full"', ' antialias="full" samples="16"');
     // Its style attribute is refused by the strict policy.
