@@ -6,6 +6,7 @@ import {
   afterPictures,
   ExtraElement,
   historyOf,
+  localNumber,
   type PhongViewer,
   phrase,
   type ViewerTexts,
@@ -252,11 +253,10 @@ function adaptRows(gui: GUI, key: string, element: HTMLElement): void {
       input.part.add('input');
     }
     if (domElement.classList.contains('lil-number')) {
-      const unit = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
-      $name.textContent = $name.textContent.replace(UNIT, '');
       const behind = document.createElement('span');
       behind.part.add('unit');
-      behind.textContent = unit;
+      behind.textContent = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
+      $name.textContent = $name.textContent.replace(UNIT, '');
       $widget.append(behind);
       const slider = $widget.querySelector<HTMLInputElement>('[type="range"]')!;
       slider.tabIndex = 0; // alone, without the panel's other rows to pass by
@@ -285,7 +285,10 @@ function adaptRows(gui: GUI, key: string, element: HTMLElement): void {
   name.replaceChildren(document.createElement('slot'));
 }
 
-/** After each change: the width of numbers, and the text for paper. */
+/**
+ * After each change: the width of numbers, and the text for paper. There a number can only be read,
+ * so it is written as the language writes it.
+ */
 function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
   for (const { $widget, domElement } of gui.controllers) {
     const inputs = $widget.querySelectorAll<HTMLInputElement>(
@@ -293,10 +296,11 @@ function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
     );
     const said = Array.from(inputs, (input) => {
       if (input.classList.contains('number')) {
-        input.style.setProperty('--digits', String(Math.max(input.value.length, 1)));
+        input.style.setProperty('--digits', String(input.value.length));
         if (input.role === 'spinbutton') {
           input.ariaValueNow = input.value;
         }
+        return localNumber(input.value, texts);
       }
       if (input.type === 'checkbox') return phrase(texts, input.checked ? 'on' : 'off');
       if (input.localName === 'select') {

@@ -196,7 +196,7 @@ test('waits for later elements, and warns once of those that never come', async 
   await expect.poll(() => said.map(({ length }) => length)).toEqual([1, 1, 1]);
 });
 
-test('speaks the page’s language, works under a strict policy, prints name and value', async ({
+test('speaks the page’s language, works under a strict policy, prints name and value in it', async ({
   mount,
   page,
 }) => {
@@ -207,9 +207,10 @@ test('speaks the page’s language, works under a strict policy, prints name and
   });
   const only = page.locator('phong-control');
   await expect(only.locator('[part~=label]')).toHaveText(de['aperture °'].replace(/\s*°$/, ''));
+  await assign(lightOf(page), { aperture: 30.5 });
   await page.emulateMedia({ media: 'print' });
   await expect(only.locator('input').first()).toBeHidden();
-  await expect(only.locator('.printed')).toHaveText('30°');
+  await expect(only.locator('.printed')).toHaveText('30,5°');
   await expect(only.locator('.printed')).toBeVisible();
 });
 
