@@ -206,24 +206,22 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   #template(value: string): TemplateResult {
-    const lines = Math.min(value.split('\n').length, MOST_LINES);
+    const lines = value.split('\n').slice(0, MOST_LINES);
     const help = this.#say(
       'The function returns the light of one lamp at one point. It is not clamped: the sum over the lamps is. Colours are from 0 to 1; angles are in degrees; p, normal and eye are in world space. normal and axis have any length but zero; position.w is 0 for a direction and 1 for a place; aperture is the angle from the axis to the edge of the cone, 180 without one; the exponent is from 1 to 256.',
     );
     return html`<div class="editor" part="editor">
         <label for="code">${this.#say('Your function')}</label>
         <div class="code">
-          <div class="numbers" aria-hidden="true">
-            ${Array.from({ length: lines }, (_, i) =>
-              this.#faults.some(({ line }) => line === i + 1)
-                ? html`<b>${i + 1}</b>`
-                : html`<span>${i + 1}</span>`,
-            )}
+          <div class="lines" aria-hidden="true">
+            ${lines.map((text, i) => {
+              const isFaulty = this.#faults.some(({ line }) => line === i + 1);
+              return html`<b class=${isFaulty ? 'faulty' : nothing}>${i + 1}</b
+                ><span>${text}</span>`;
+            })}
           </div>
           <textarea
             id="code"
-            rows=${lines + 1}
-            wrap="off"
             spellcheck="false"
             autocapitalize="off"
             autocomplete="off"
@@ -387,7 +385,7 @@ export const restore = (element: HTMLElement, written: string): void => {
   }
 };
 
-/** A longer text scrolls: each line number is an element. */
+/** A longer text scrolls: each line is an element. */
 const MOST_LINES = 500;
 
 /** 41208 as 41 208: the same in every language. */

@@ -80,7 +80,7 @@ test('says what is right in this picture only, and shows it under another light'
   await expect(page.getByRole('img', { name: 'The exact picture' })).toHaveCount(0);
 });
 
-test('hints say as much as they are asked to, a solution comes after a right answer, and paper has all', async ({
+test('hints say as much as they are asked to, a solution comes after a right answer, and phones and paper show all of it', async ({
   mount,
   page,
 }) => {
@@ -91,26 +91,35 @@ test('hints say as much as they are asked to, a solution comes after a right ans
   await expect(verdict(page)).toContainText('It differs in: Ambient term.');
   await expect(verdict(page)).not.toContainText('missing');
   const one = page.locator('phong-exercise');
-  await one.evaluate((element) => element.setAttribute('hint', 'verdict'));
+  const hint = (much: string) =>
+    one.evaluate((own, value) => own.setAttribute('hint', value), much);
+  await hint('verdict');
   await expect(verdict(page)).toHaveText(/^\s*Not right yet\.\s*$/);
   await expect(one.getByText('The difference')).toHaveCount(0);
-  await one.evaluate((element) => element.setAttribute('hint', 'none'));
+  await hint('none');
   await expect(verdict(page)).toHaveText('');
   await expect(one.getByText('The exact function')).toHaveCount(0);
-  await one.evaluate((element) => element.setAttribute('hint', 'what'));
+  await hint('what');
   await textArea(page).fill(RIGHT);
   await runFirst(page);
-  await expect(one.getByText('The exact function')).toBeVisible();
+  const solution = one.locator('details[open] pre');
+  await expect(solution).toBeVisible();
   // The exact function is right itself.
-  const exact = await one.locator('details[open] pre').innerText();
+  const exact = await solution.innerText();
   await textArea(page).fill(exact);
   await runFirst(page);
   await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+  for (const code of [solution, textArea(page)]) {
+    expect(
+      await code.evaluate((box) => [
+        box.scrollWidth - box.clientWidth,
+        box.scrollHeight - box.clientHeight,
+      ]),
+    ).toEqual([0, 0]);
+  }
   await page.emulateMedia({ media: 'print' });
   await expect(page.locator('.printed')).toBeVisible();
   await expect(page.locator('.printed')).toHaveText(exact);
-  const solution = page.locator('details[open] pre');
-  expect(await solution.evaluate((pre) => pre.scrollWidth - pre.clientWidth)).toBe(0);
   await expect(page.getByRole('button', { name: 'Run' })).toBeHidden();
 });
 
@@ -202,8 +211,7 @@ test('several on a page, by keyboard, under a strict policy, in Portuguese, on a
   // The tab key leaves the text.
   await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Executar' }).first()).toBeFocused();
-  const width = await page.evaluate(() => document.documentElement.scrollWidth);
-  expect(width).toBeLessThanOrEqual(390);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
     expect((await axeOn(page).analyze()).violations).toEqual([]);

@@ -116,6 +116,6 @@ test('what cannot run says why, at its line, and what was written stays', async 
   await expect(one.getByRole('alert')).toContainText('The function takes too long');
   const [source] = STOPPED_ONES['a wrong name']!;
   await checkOf(one, source);
-  await expect(one.locator('.numbers b')).toHaveText('19');
+  await expect(one.locator('.faulty')).toHaveText('19');
   await expect(one.getByRole('textbox')).toHaveAttribute('aria-invalid', 'true');
 });
