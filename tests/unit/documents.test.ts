@@ -13,7 +13,7 @@ import { layoutDefines } from '../../src/phong/light/light-layout.js';
 import { VIEWS } from '../../src/phong/material/views.js';
 
 /** Files of the repository, new ones included. */
-function filesOf(...patterns: readonly string[]) {
+function filesOf(...patterns: string[]) {
   const options = ['--cached', '--others', '--exclude-standard', ...patterns];
   const paths = execFileSync('git', ['ls-files', ...options], { encoding: 'utf8' });
   return paths.split('\n').filter((path) => existsSync(path));
@@ -90,7 +90,7 @@ describe('the documents', () => {
   });
 
   it('are short: 15,000 words for users, 900 of them in the README', () => {
-    const words = (...paths: readonly string[]) => paths.map(read).join('').match(/\S+/g)?.length;
+    const words = (...paths: string[]) => paths.map(read).join('').match(/\S+/g)?.length;
     expect(words('README.md')).toBeLessThanOrEqual(950);
     expect(words('CHANGELOG.md')).toBeLessThanOrEqual(420);
     expect(words('src/README.md')).toBeLessThanOrEqual(2150);
