@@ -66,8 +66,8 @@ export class PhongMaterial extends RawShaderMaterial {
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
   readonly #programs: MaterialPrograms;
-  /** The keys of variants whose programs were compiled before a draw. */
-  readonly #compiled = new Set<string>();
+  /** The key of the variant whose program was compiled before a draw last. */
+  #compiled = '';
   #linear = false;
   #variant: Variant | null = null;
   // What the last draw used.
@@ -157,14 +157,17 @@ export class PhongMaterial extends RawShaderMaterial {
 
   /**
    * Whether the program of its next draw is being compiled in the background; drawing waits for it.
+   * Programs in `asked` are left to the materials that asked for them.
    */
-  compiles(renderer: BeforeRender[0], camera: BeforeRender[2]): boolean {
+  compiles(renderer: BeforeRender[0], camera: BeforeRender[2], asked: string[]): boolean {
     this.#lighting.drawWith(renderer);
     const variant = this.#programs.general();
-    if (this.#compiled.has(variant.key)) return false;
+    const { key } = variant;
+    if (key === this.#compiled || asked.includes(key)) return false;
+    asked.push(key);
     this.#use(variant);
     if (compiles(this, renderer, camera)) return true;
-    this.#compiled.add(variant.key);
+    this.#compiled = key;
     return false;
   }
 
@@ -223,10 +226,8 @@ export class PhongMaterial extends RawShaderMaterial {
   /** Whether the program of this draw holds these rows already; from now on it does. */
   #holdsRows({ properties }: BeforeRender[0], { revision }: LightBuffer): boolean {
     // three.js replaces a renderer's properties when a lost context is restored.
-    let held = programRows.get(properties);
-    if (held === undefined) {
-      programRows.set(properties, (held = new Map<string, number>()));
-    }
+    const held = programRows.get(properties) ?? new Map<string, number>();
+    programRows.set(properties, held);
     const program = this.#variant?.key ?? '';
     if (held.get(program) === revision) return true;
     held.set(program, revision);

@@ -246,17 +246,16 @@ export class Picture {
 
   /**
    * Call after {@link needsPrograms}. Whether programs of the next drawing are being compiled in the
-   * background. Lights that no uniform array holds any more are found out later, and so is a
-   * program that only the 17th material or a later one needs: thousands of them may share one, and
-   * each takes 40 µs.
+   * background. Lights that no uniform array holds any more are found out later. Thousands of
+   * materials may share a program: one of them asks for it, which takes 40 µs.
    */
   compiles(renderer: WebGLRenderer): boolean {
-    const { lighting, materials, frame } = this;
-    const compiling = [...materials.all]
-      .slice(0, 16)
-      .filter((one) => one.compiles(renderer, frame.camera));
+    const asked: string[] = [];
+    const compiling = [...this.materials.all].filter((one) =>
+      one.compiles(renderer, this.frame.camera, asked),
+    );
     if (compiling.length > 0) return true;
-    this.#needs = lighting.needs.version;
+    this.#needs = this.lighting.needs.version;
     return false;
   }
 
