@@ -76,7 +76,6 @@ export class AutoFit {
     if (moved === undefined) {
       this.#measured = null;
     } else {
-      moved.updateWorldMatrix(true, true);
       this.#measured?.moved(moved);
     }
     this.#refit();
