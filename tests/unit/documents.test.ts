@@ -14,9 +14,9 @@ import { VIEWS } from '../../src/phong/material/views.js';
 
 /** Files of the repository, new ones included. */
 function filesOf(...patterns: string[]) {
-  const options = ['--cached', '--others', '--exclude-standard', ...patterns];
-  const paths = execFileSync('git', ['ls-files', ...options], { encoding: 'utf8' });
-  return paths.split('\n').filter((path) => existsSync(path));
+  const args = ['ls-files', '--cached', '--others', '--exclude-standard', ...patterns];
+  const paths = execFileSync('git', args, { encoding: 'utf8' });
+  return paths.split('\n').filter(existsSync);
 }
 
 /** Every page of the repository. */

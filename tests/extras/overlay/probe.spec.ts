@@ -286,7 +286,7 @@ test.describe('the cross-hair', () => {
       await page.keyboard.press('Shift+ArrowLeft');
     }
     await expect(box(viewer)).toHaveText(/No surface there\./);
-    await expect.poll(() => cursorPlace(viewer)).toContain(0.5);
+    await expect.poll(async () => (await cursorPlace(viewer))[0]).toBe(0.5);
     await viewer.locator('.surface').focus();
     await expect(box(viewer)).toBeHidden();
   });
